@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/animation/compressionsettings.h"
+#include "model/animation/framesource.h"
+#include "model/base/bytes.h"
+#include "model/base/error.h"
+#include "model/base/progress.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace model::codec {
+
+/// An opened `.anim`. Keeps basis and coefficients, never all frames; positions() computes one frame.
+class DecodedAnimation : public FrameSource
+{
+public:
+    virtual const CompressionSettings &settings() const = 0;
+    /// The program that wrote the file, e.g. "Sandreel 0.1.0".
+    virtual const std::string &creator() const = 0;
+    /// Basis vectors kept, at most settings().basisSize.
+    virtual std::uint32_t basisSize() const = 0;
+    /// Size of the whole file, bytes.
+    virtual std::uint64_t encodedBytes() const = 0;
+    /// The chunks as they came, so that renaming and saving loses nothing.
+    virtual const Bytes &encoded() const = 0;
+};
+
+/// Size of one chunk of an `.anim`, for `info`.
+struct ChunkInfo
+{
+    std::string tag;
+    std::uint64_t bytes = 0; ///< with its frame (tag, length, CRC)
+};
+
+/// What the encoder made.
+struct EncodedAnimation
+{
+    Bytes bytes; ///< the whole `.anim` file
+    /// For each vertex of the decoded animation the vertex of the input that it is.
+    std::vector<std::uint32_t> permutation;
+};
+
+/// Encodes an animation as an `.anim` file. Same input, same bytes, with any number of threads.
+/// \error BadSetting     a setting outside its range
+/// \error NonFinite      a position that is not finite
+/// \error LimitExceeded  a value too large to be quantised at this resolution
+/// \error Cancelled
+Result<EncodedAnimation> encodeAnimation(const FrameSource &source, const CompressionSettings &settings,
+                                         const Progress &progress = Progress());
+
+/// Decodes an `.anim` file from memory. Takes untrusted bytes.
+/// \error BadMagic, UnsupportedVersion, Truncated, ChecksumMismatch, MissingChunk, DuplicateChunk, BadValue,
+///        UnknownCodec, CorruptStream, TrailingBytes, LimitExceeded, Cancelled; each with its byte offset
+Result<std::shared_ptr<const DecodedAnimation>> decodeAnimation(Bytes file, const Progress &progress = Progress());
+
+/// The file with another name and frame rate, everything else as it is, bit for bit.
+/// Precondition: `file` was made by encodeAnimation or accepted by decodeAnimation.
+Result<Bytes> withNameAndRate(const Bytes &file, const std::string &name, double frameRate);
+
+/// The chunks of a file in their order. Errors as decodeAnimation for the container's part.
+Result<std::vector<ChunkInfo>> listChunks(std::span<const std::uint8_t> file);
+
+} // namespace model::codec
