@@ -56,7 +56,7 @@ class TestLayers final : public QObject
 
     static QStringList includesOf(const QString &path)
     {
-        static const QRegularExpression include(QStringLiteral(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])"),
+        static const QRegularExpression include(QStringLiteral("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]"),
                                                 QRegularExpression::MultilineOption);
         QFile file(path);
         if (!file.open(QIODevice::ReadOnly))
@@ -114,7 +114,7 @@ private slots:
             for (const QString &file : sourcesIn(top)) {
                 QFile source(file);
                 QVERIFY(source.open(QIODevice::ReadOnly));
-                static const QRegularExpression quoted(QStringLiteral(R"x(^#include "([^"]+)")x"),
+                static const QRegularExpression quoted(QStringLiteral("^#include \"([^\"]+)\""),
                                                        QRegularExpression::MultilineOption);
                 auto matches = quoted.globalMatch(QString::fromUtf8(source.readAll()));
                 while (matches.hasNext()) {

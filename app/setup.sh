@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sourced by app/run and tests/run: installs what is missing, configures and builds.
+
+# What building and running takes on Debian 12. Everything else is a dependency of these.
+build_packages=(build-essential cmake ninja-build ccache mold pkg-config
+  qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
+  libeigen3-dev libspectra-dev libassimp-dev zlib1g-dev libexpected-dev libcli11-dev fonts-dejavu-core)
+# What a machine without a display needs on top, to draw into a virtual one.
+virtual_display_packages=(xvfb xauth libgl1-mesa-dri)
+
+say() { printf '%s\n' "== $*" >&2; }
+
+# Installs those of the packages that are missing; without the right to, prints the line that does.
+require_packages() {
+  local missing=() package
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    say "This is not Debian: make sure that you have what these Debian packages hold: $*"
+    return
+  fi
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  if [ "$(id -u)" -ne 0 ]; then
+    say "Some packages are missing. Install them with this line and start again:"
+    printf '%s\n' "sudo apt-get install -y --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+  say "Installing through apt: ${missing[*]}"
+  apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+}
+
+# build PRESET [TARGET...]: configures if need be, and builds; says how long it took.
+build() {
+  local preset=$1 begin=$SECONDS
+  shift
+  say "Building ($preset)"
+  mkdir -p build
+  if ! cmake --preset "$preset" >"build/configure-$preset.log" 2>&1; then
+    cat "build/configure-$preset.log" >&2
+    return 1
+  fi
+  cmake --build --preset "$preset" --parallel "$(nproc)" ${1:+--target "$@"} >&2
+  say "Built ($preset) in $((SECONDS - begin)) s"
+}
+
+has_display() { [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; }
+
+# Runs a command in a virtual display of its own.
+in_virtual_display() {
+  xvfb-run --auto-servernum --server-args="-screen 0 1600x1000x24" "$@"
+}
