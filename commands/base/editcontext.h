@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/base/mergeid.h"
 #include "model/document/animationdocument.h"
 
 #include <QObject>
@@ -23,6 +24,9 @@ public:
     const QUndoStack &undoStack() const { return mUndoStack; }
     QUndoStack &undoStack() { return mUndoStack; }
 
+    /// A number for a gesture that starts now; no two gestures of this context have the same.
+    GestureId newGesture() { return ++mLastGesture; }
+
     /// Carries out Command(document, args...) and remembers it: `context.push<TrimAnimation>(first, last)`.
     /// A command that finds in its constructor that it would change nothing marks itself obsolete and is dropped.
     template <class Command, class... Args>
@@ -36,6 +40,7 @@ private:
 
     model::AnimationDocument &mDocument;
     QUndoStack mUndoStack;
+    GestureId mLastGesture = NoGesture;
 };
 
 } // namespace commands

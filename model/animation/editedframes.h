@@ -8,6 +8,7 @@
 namespace model {
 
 /// Another source seen through a time map and a placement, under another name and rate. Holds no positions of its own.
+/// A whole source position costs what the source costs, a fraction twice that; the placement is applied to the blend.
 class EditedFrames final : public FrameSource
 {
 public:
@@ -19,10 +20,14 @@ public:
     void positions(std::uint32_t frame, std::span<Vec3f> out) const override;
     double frameRate() const override { return mFrameRate; }
     const std::string &name() const override { return mName; }
+    /// That of the source while keepsFrames(); else made from it and the edits.
     std::uint64_t digest() const override;
     std::size_t memoryBytes() const override { return mSource->memoryBytes(); }
 
     const FrameSourcePtr &source() const { return mSource; }
+    const TimeMap &timeMap() const { return mTimeMap; }
+    /// What is done to each position of the source.
+    const Similarity &placement() const { return mPlacement; }
     /// True if the frames are those of the source, untouched: then an `.anim` need not be encoded again.
     bool keepsFrames() const { return mPlacement.isIdentity() && mTimeMap.isIdentity(mSource->frameCount()); }
 

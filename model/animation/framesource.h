@@ -33,8 +33,9 @@ public:
     /// UTF-8; may be empty.
     virtual const std::string &name() const = 0;
 
-    /// A digest of connectivity and positions (not of name and rate): equal content, equal digest, within one program
-    /// run.
+    /// A digest of connectivity and positions, not of name and rate. Equal digests: equal content. Equal content gives
+    /// equal digests when it was made in the same way (from the same positions, the same file, the same edits of the
+    /// same source). Holds within one program run. Cheap from the second call on; any thread.
     virtual std::uint64_t digest() const = 0;
     /// Bytes that this source holds in memory, those of a source below it included.
     virtual std::size_t memoryBytes() const = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/animation/framesource.h"
+#include "model/animation/editedframes.h"
 #include "model/base/error.h"
 #include "model/base/progress.h"
 #include "model/geometry/similarity.h"
@@ -21,5 +21,11 @@ Result<Box3f> boundingBoxOfAll(const FrameSource &source, const Progress &progre
 /// \error Cancelled
 Result<Similarity> normalisingSimilarity(const FrameSource &source, Normalisation mode,
                                          const Progress &progress = Progress());
+
+/// The placement that normalises an edited animation: counted from its source as EditedFrames::placement() is, so it
+/// replaces the present one and does not add to it. None gives the identity: the source's own coordinates.
+/// \error Cancelled
+Result<Similarity> normalisingPlacement(const EditedFrames &frames, Normalisation mode,
+                                        const Progress &progress = Progress());
 
 } // namespace model

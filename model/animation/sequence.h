@@ -3,11 +3,12 @@
 
 #include "model/animation/framesource.h"
 
+#include <mutex>
 #include <vector>
 
 namespace model {
 
-/// An animation with all its positions in memory, as float32: 12 V F bytes.
+/// An animation with all its positions in memory, as float32: 12 V F bytes. Not copyable: share it.
 class Sequence final : public FrameSource
 {
 public:
@@ -34,6 +35,8 @@ private:
     std::uint32_t mFrameCount;
     double mFrameRate;
     std::string mName;
+    mutable std::once_flag mDigestOnce;
+    mutable std::uint64_t mDigest = 0;
 };
 
 /// The whole of `source` as a Sequence; the same object if it is one.

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/animation/trimanimation.h"
+
+#include <QCoreApplication>
+
+namespace commands {
+
+TrimAnimation::TrimAnimation(model::AnimationDocument &document, std::uint32_t first, std::uint32_t last)
+    : ChangeTiming(document, QCoreApplication::translate("Undo", "Trim to %n Frame(s)", nullptr, int(last - first + 1)),
+                   {document.timing().map.trimmed(first, last), document.timing().frameRate})
+{}
+
+} // namespace commands

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "commands/base/mergeid.h"
+#include "model/document/animationdocument.h"
+
+#include <QUndoCommand>
+
+#include <type_traits>
+#include <utility>
+
+namespace commands {
+
+/// A command that gives one value of the document another one. Undo and redo are the same swap of the value in the
+/// document with the one kept here. A concrete command is its constructor: the text and the wanted value.
+///
+/// Made for the document as it is at that moment, and to be pushed at once. Obsolete from the start if it would change
+/// nothing (EditContext drops it), and once a gesture has come back to where it began (the undo stack drops it).
+/// \tparam Getter, Setter  members of AnimationDocument; the setter returns the value that it replaced
+template <auto Getter, auto Setter>
+class ChangeValue : public QUndoCommand
+{
+public:
+    using Value = std::remove_cvref_t<std::invoke_result_t<decltype(Getter), const model::AnimationDocument &>>;
+
+    void redo() final { swap(); }
+    void undo() final { swap(); }
+    int id() const final { return mGesture == NoGesture ? -1 : int(mMergeId); }
+    /// Called by the undo stack with a command of the same id() that has been carried out already.
+    bool mergeWith(const QUndoCommand *newer) final
+    {
+        if (static_cast<const ChangeValue *>(newer)->mGesture != mGesture)
+            return false;
+        setObsolete((mDocument.*Getter)() == mOther);
+        return true;
+    }
+
+protected:
+    ChangeValue(model::AnimationDocument &document, const QString &text, Value wanted)
+        : ChangeValue(document, text, std::move(wanted), MergeId(), NoGesture)
+    {}
+    ChangeValue(model::AnimationDocument &document, const QString &text, Value wanted, MergeId mergeId,
+                GestureId gesture)
+        : QUndoCommand(text)
+        , mDocument(document)
+        , mOther(std::move(wanted))
+        , mMergeId(mergeId)
+        , mGesture(gesture)
+    {
+        setObsolete((mDocument.*Getter)() == mOther);
+    }
+
+private:
+    void swap() { mOther = (mDocument.*Setter)(std::move(mOther)); }
+
+    model::AnimationDocument &mDocument;
+    Value mOther; ///< the value that the document does not hold now
+    const MergeId mMergeId;
+    const GestureId mGesture;
+};
+
+using ChangeTiming = ChangeValue<&model::AnimationDocument::timing, &model::AnimationDocument::setTiming>;
+using ChangePlacement = ChangeValue<&model::AnimationDocument::placement, &model::AnimationDocument::setPlacement>;
+using ChangeName = ChangeValue<&model::AnimationDocument::name, &model::AnimationDocument::setName>;
+using ChangeCompression =
+    ChangeValue<&model::AnimationDocument::compression, &model::AnimationDocument::setCompression>;
+
+} // namespace commands
