@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/viewport/animationviewport.h"
 
+#include "model/animation/normalisation.h"
 #include "views/viewport/glsupport.h"
 
 #include <QFocusEvent>
@@ -27,17 +28,6 @@ constexpr float NotchDegrees = 15;
 /// Turn of an arrow key, as a share of the picture's height: 15 degrees.
 constexpr float KeyTurn = 15.0f / 180;
 constexpr float KeyPan = 0.05f;
-
-model::Box3f boxOfAllFrames(const model::FrameSource &source, const model::Progress &progress)
-{
-    model::Box3f box;
-    std::vector<model::Vec3f> positions(source.vertexCount());
-    for (std::uint32_t frame = 0; frame < source.frameCount() && !progress.isCancelled(); ++frame) {
-        source.positions(frame, positions);
-        box.add(model::boundingBox(positions));
-    }
-    return box;
-}
 
 } // namespace
 
@@ -149,8 +139,9 @@ void AnimationViewport::sourceChanged()
         update();
         return;
     }
-    mBoundsWatcher.setFuture(QtConcurrent::run(
-        [source = mBoundsSource, progress = mBoundsProgress] { return boxOfAllFrames(*source, progress); }));
+    mBoundsWatcher.setFuture(QtConcurrent::run([source = mBoundsSource, progress = mBoundsProgress] {
+        return model::boundingBoxOfAll(*source, progress).value_or(model::Box3f()); // empty: cancelled
+    }));
 }
 
 void AnimationViewport::boundsFound()
