@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/dialogs/quantitytext.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace views {
+
+namespace {
+
+struct Quantities
+{
+    Q_DECLARE_TR_FUNCTIONS(views::Quantities)
+};
+
+} // namespace
+
+QString numberText(double value, int decimals)
+{
+    const QLocale locale;
+    QString text = locale.toString(value, 'f', decimals);
+    if (decimals == 0)
+        return text;
+    while (text.endsWith(locale.zeroDigit()))
+        text.chop(1);
+    if (text.endsWith(locale.decimalPoint()))
+        text.chop(locale.decimalPoint().size());
+    return text;
+}
+
+QString significantText(double value)
+{
+    return QLocale().toString(value, 'g', 4);
+}
+
+QString countText(std::uint64_t count)
+{
+    return QLocale().toString(qulonglong(count));
+}
+
+QString bytesText(std::uint64_t bytes)
+{
+    return QLocale().formattedDataSize(qint64(bytes), bytes < 1024 ? 0 : 1, QLocale::DataSizeTraditionalFormat);
+}
+
+QString durationText(double seconds)
+{
+    if (seconds < 9.95)
+        return Quantities::tr("%1 s").arg(numberText(seconds, 1));
+    const auto whole = qint64(std::llround(seconds));
+    if (whole < 60)
+        return Quantities::tr("%1 s").arg(whole);
+    if (whole < 3600)
+        return Quantities::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+    return Quantities::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
+}
+
+} // namespace views
