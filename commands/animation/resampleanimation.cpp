@@ -7,10 +7,8 @@
 namespace commands {
 
 ResampleAnimation::ResampleAnimation(model::AnimationDocument &document, double rate)
-    : ChangeTiming(
-          document,
-          QCoreApplication::translate("Undo", "Resample to %1 Frames per Second").arg(QLocale().toString(rate)),
-          {document.timing().map.resampled(document.timing().frameRate, rate), rate})
+    : ChangeTiming(document, QCoreApplication::translate("Undo", "Resample to %1 fps").arg(QLocale().toString(rate)),
+                   {document.timing().map.resampled(document.timing().frameRate, rate), rate})
 {}
 
 } // namespace commands

@@ -7,8 +7,7 @@
 namespace commands {
 
 SetFrameRate::SetFrameRate(model::AnimationDocument &document, double rate, GestureId gesture)
-    : ChangeTiming(document,
-                   QCoreApplication::translate("Undo", "Play at %1 Frames per Second").arg(QLocale().toString(rate)),
+    : ChangeTiming(document, QCoreApplication::translate("Undo", "Play at %1 fps").arg(QLocale().toString(rate)),
                    {document.timing().map, rate}, MergeId::SetFrameRate, gesture)
 {}
 

@@ -26,11 +26,13 @@ public:
     void redo() final { swap(); }
     void undo() final { swap(); }
     int id() const final { return mGesture == NoGesture ? -1 : int(mMergeId); }
-    /// Called by the undo stack with a command of the same id() that has been carried out already.
+    /// Called by the undo stack with a command of the same id() that has been carried out already: this one then leads
+    /// from its own old value to the newer one's new value, and says so.
     bool mergeWith(const QUndoCommand *newer) final
     {
         if (static_cast<const ChangeValue *>(newer)->mGesture != mGesture)
             return false;
+        setText(newer->text());
         setObsolete((mDocument.*Getter)() == mOther);
         return true;
     }
