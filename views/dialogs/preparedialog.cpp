@@ -4,6 +4,7 @@
 #include "model/io/errortext.h"
 #include "views/dialogs/compressionfields.h"
 #include "views/dialogs/framepreview.h"
+#include "views/dialogs/framerates.h"
 #include "views/dialogs/jobpanel.h"
 #include "views/dialogs/normalisationchoice.h"
 #include "views/dialogs/numberfield.h"
@@ -33,8 +34,6 @@ namespace {
 
 // Long enough not to read at every letter of a typed path, short enough not to be noticed.
 constexpr int ReadDelayMilliseconds = 300;
-
-const NumberRange FrameRates{0.1, 1000, 3};
 
 enum Fact { Format, Frames, Vertices, Triangles, BoxSize, RawSize };
 
