@@ -27,21 +27,21 @@ public:
     /// Any value; clamped to the animation (also outside the loop range, so that a user can look there).
     void seek(std::int64_t frame);
     /// Steps without wrapping, as single-step keys do.
-    void step(std::int64_t frames) { seek(std::int64_t(mFrame) + frames); }
+    void step(std::int64_t frames);
 
     bool isPlaying() const { return mPlaying; }
-    /// Playing from the last frame in the direction of play starts over.
+    /// From outside the range, or in LoopMode::Once from its end, play starts over.
     void play();
     void pause() { mPlaying = false; }
     /// Pause and back to the first frame of the range (the last when playing backwards).
     void stop();
 
     double framesPerSecond() const { return mRate; }
-    void setFramesPerSecond(double rate); ///< clamped to MinRate..MaxRate
+    void setFramesPerSecond(double rate); ///< clamped to MinRate..MaxRate; no number: ignored
     bool isReversed() const { return mReversed; }
     void setReversed(bool reversed);
     LoopMode loopMode() const { return mLoopMode; }
-    void setLoopMode(LoopMode mode) { mLoopMode = mode; }
+    void setLoopMode(LoopMode mode);
     Pacing pacing() const { return mPacing; }
     void setPacing(Pacing pacing) { mPacing = pacing; }
 
@@ -50,13 +50,28 @@ public:
     /// Both clamped; swapped if in the wrong order.
     void setRange(std::int64_t first, std::int64_t last);
 
-    /// Time passes. Returns true if frame() changed or play ended.
-    /// RealTime: moves by whole frames and keeps the rest of the time. EveryFrame: at most one frame per call.
+    /// Time passes. Returns true if frame() changed or play ended (LoopMode::Once ends on reaching the end).
+    /// RealTime: moves by whole frames and keeps the rest of the time. EveryFrame: at most one frame per call, and at
+    /// most one frame of delay is made up for. Negative times and NaN are ignored.
     bool advance(double seconds);
-    /// Seconds until advance() will next do something, at least 0; for the caller's timer.
+    /// Seconds until advance() will next do something, at least 0; infinite while paused. For the caller's timer.
     double secondsToNextFrame() const;
+    /// The frame that play will show `steps` frames from now; for making frames ahead.
+    std::uint32_t frameAfter(std::uint64_t steps) const { return after(steps).frame; }
 
 private:
+    struct Place
+    {
+        std::uint32_t frame;
+        bool returning;
+        bool ended;
+    };
+    Place after(std::uint64_t steps) const;
+    std::uint32_t clamped(std::int64_t frame) const;
+    bool isInRange() const { return mFrame >= mFirst && mFrame <= mLast; }
+    std::uint32_t startOfRange() const { return mReversed ? mLast : mFirst; }
+    std::uint32_t endOfRange() const { return mReversed ? mFirst : mLast; }
+
     std::uint32_t mFrameCount;
     std::uint32_t mFrame = 0;
     std::uint32_t mFirst = 0;

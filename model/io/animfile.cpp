@@ -1,2 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/animfile.h"
+
+#include "model/animation/editedframes.h"
+#include "model/io/failure.h"
+#include "model/io/filebuffer.h"
+
+#include <numeric>
+
+#include <QSaveFile>
+
+namespace model::io {
+
+Result<std::shared_ptr<const codec::DecodedAnimation>> openAnim(const QString &path, const Progress &progress)
+{
+    Result<Bytes> bytes = readBytes(path);
+    if (!bytes)
+        return fail(std::move(bytes.error()));
+    auto decoded = codec::decodeAnimation(std::move(*bytes), progress);
+    if (!decoded)
+        return failIn(path, std::move(decoded.error()));
+    return decoded;
+}
+
+Result<void> saveBytes(const QString &path, std::span<const std::uint8_t> bytes)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return failIn(file, ErrorCode::CannotOpen);
+    if (file.write(reinterpret_cast<const char *>(bytes.data()), qint64(bytes.size())) != qint64(bytes.size()) ||
+        !file.commit())
+        return failIn(file, ErrorCode::CannotWrite);
+    return {};
+}
+
+Result<Bytes> readBytes(const QString &path)
+{
+    FileBuffer buffer;
+    const auto text = buffer.load(path);
+    if (!text)
+        return fail(text.error());
+    return Bytes(text->begin(), text->end());
+}
+
+Result<codec::EncodedAnimation> encodeEdited(const FrameSource &frames, const CompressionSettings &settings,
+                                             const Progress &progress)
+{
+    const auto *const edited = dynamic_cast<const EditedFrames *>(&frames);
+    const auto *const decoded = edited && edited->keepsFrames()
+                                    ? dynamic_cast<const codec::DecodedAnimation *>(edited->source().get())
+                                    : nullptr;
+    if (!decoded || decoded->settings() != settings)
+        return codec::encodeAnimation(frames, settings, progress);
+    Result<Bytes> bytes = codec::withNameAndRate(decoded->encoded(), frames.name(), frames.frameRate());
+    if (!bytes)
+        return fail(std::move(bytes.error()));
+    codec::EncodedAnimation result{std::move(*bytes), std::vector<std::uint32_t>(frames.vertexCount())};
+    std::iota(result.permutation.begin(), result.permutation.end(), 0u);
+    return result;
+}
+
+} // namespace model::io

@@ -23,13 +23,18 @@ struct OrbitCamera
     Vec3f right() const;
     Vec3f up() const;
 
-    /// Turns by dx, dy (fractions of the viewport's height), as a drag does.
+    // dx, dy, x, y: to the right and down, in fractions of the picture's height.
+
+    /// Turns the scene by a drag: half a circle for the picture's height. The pitch stops at the poles.
     void orbit(float dx, float dy);
-    /// Moves the target in the picture plane so that a dragged point stays under the cursor.
+    /// Moves the target in the picture plane so that a point dragged at the target's depth stays under the cursor.
     void pan(float dx, float dy);
     /// factor < 1 comes nearer.
     void zoom(float factor);
-    /// Keeps the direction; all of `box` comes into a picture of this aspect (width / height).
+    /// As zoom(), but what is seen at x, y from the middle of the picture (at the target's depth) stays there.
+    void zoomAt(float factor, float x, float y);
+    /// Keeps the direction; all of `box` comes into a picture of this aspect (width / height). An empty box changes
+    /// nothing.
     void fit(const Box3f &box, float aspect);
 
     Matrix4 viewMatrix() const;

@@ -1,17 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/testregistry.h"
-#include "views/viewport/glsupport.h"
 
 #include <QApplication>
+#include <QSettings>
 #include <QStandardPaths>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
 
+/// A QApplication as the editor has it, whose settings begin empty and go with the process.
 int main(int argc, char **argv)
 {
-    // Settings and recent files of a test must not be those of the person who runs it.
+    QSurfaceFormat format; // what views::setDefaultGlFormat() sets; not every GUI test links the viewport
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+
+    const QTemporaryDir settings;
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
     QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName(QStringLiteral("Sandreel"));
-    QCoreApplication::setApplicationName(QStringLiteral("sandreel-tests"));
-    views::setDefaultGlFormat();
+    QCoreApplication::setOrganizationName(QStringLiteral("SandreelTests"));
+    QCoreApplication::setApplicationName(QStringLiteral("SandreelTests"));
+
     const QApplication application(argc, argv);
     return tests::runTests(argc, argv);
 }

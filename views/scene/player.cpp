@@ -1,2 +1,268 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/player.h"
+
+#include "views/scene/frameworker.h"
+
+#include <cmath>
+#include <utility>
+
+namespace views {
+
+namespace {
+
+bool isSameState(const model::Playback &a, const model::Playback &b)
+{
+    return a.isPlaying() == b.isPlaying() && a.framesPerSecond() == b.framesPerSecond() &&
+           a.isReversed() == b.isReversed() && a.loopMode() == b.loopMode() && a.pacing() == b.pacing() &&
+           a.rangeFirst() == b.rangeFirst() && a.rangeLast() == b.rangeLast() && a.frameCount() == b.frameCount();
+}
+
+} // namespace
+
+Player::Player(QObject *parent)
+    : QObject(parent)
+{
+    mTimer.setSingleShot(true);
+    mTimer.setTimerType(Qt::PreciseTimer);
+    connect(&mTimer, &QTimer::timeout, this, &Player::tick);
+    mWorker = std::make_unique<FrameWorker>([this](FrameDataPtr frame, FramePurpose purpose) {
+        // Events still queued when the player goes are dropped by QObject.
+        QMetaObject::invokeMethod(
+            this, [this, frame = std::move(frame), purpose] { receive(frame, purpose); }, Qt::QueuedConnection);
+    });
+}
+
+Player::~Player() = default;
+
+void Player::setSource(model::FrameSourcePtr source)
+{
+    if (source == mSource)
+        return;
+    const model::FrameSourcePtr before = std::exchange(mSource, std::move(source));
+    mAhead.reset();
+    mIsAheadWelcome = false;
+    mWorker->cancel();
+    if (!mSource)
+        mCurrent.reset();
+    update([&] {
+        mPlayback.setFrameCount(mSource ? mSource->frameCount() : 1);
+        if (!mSource)
+            mPlayback.stop();
+        else if (!before || before->frameRate() != mSource->frameRate())
+            mPlayback.setFramesPerSecond(mSource->frameRate());
+    });
+    emit sourceChanged();
+}
+
+template <class Change>
+void Player::update(Change change)
+{
+    const model::Playback before = mPlayback;
+    change();
+    const bool moved = mPlayback.frame() != before.frame();
+    if (moved)
+        mIsAheadWelcome = false;
+    if (mPlayback.isPlaying() && !before.isPlaying())
+        mClock.start();
+    requestFrame();
+    scheduleTick();
+    if (moved)
+        emit frameChanged(mPlayback.frame());
+    if (!isSameState(mPlayback, before))
+        emit stateChanged();
+}
+
+void Player::play()
+{
+    if (!mSource)
+        return;
+    mResumeAfterScrub = false;
+    update([this] { mPlayback.play(); });
+}
+
+void Player::pause()
+{
+    mResumeAfterScrub = false;
+    update([this] { mPlayback.pause(); });
+}
+
+void Player::togglePlay()
+{
+    if (mPlayback.isPlaying())
+        pause();
+    else
+        play();
+}
+
+void Player::stop()
+{
+    mResumeAfterScrub = false;
+    update([this] { mPlayback.stop(); });
+}
+
+void Player::seek(qint64 frame)
+{
+    update([&] { mPlayback.seek(frame); });
+}
+
+void Player::step(qint64 frames)
+{
+    update([&] { mPlayback.step(frames); });
+}
+
+void Player::goToFirst()
+{
+    seek(mPlayback.rangeFirst());
+}
+
+void Player::goToLast()
+{
+    seek(mPlayback.rangeLast());
+}
+
+void Player::setFramesPerSecond(double rate)
+{
+    update([&] { mPlayback.setFramesPerSecond(rate); });
+}
+
+void Player::setReversed(bool reversed)
+{
+    update([&] { mPlayback.setReversed(reversed); });
+}
+
+void Player::setLoopMode(model::LoopMode mode)
+{
+    update([&] { mPlayback.setLoopMode(mode); });
+}
+
+void Player::setPacing(model::Pacing pacing)
+{
+    mAwaitingShown = false;
+    update([&] { mPlayback.setPacing(pacing); });
+}
+
+void Player::setRange(qint64 first, qint64 last)
+{
+    update([&] { mPlayback.setRange(first, last); });
+}
+
+void Player::beginScrub()
+{
+    if (mScrubbing)
+        return;
+    mScrubbing = true;
+    const bool wasPlaying = mPlayback.isPlaying();
+    pause();
+    mResumeAfterScrub = wasPlaying;
+}
+
+void Player::endScrub()
+{
+    mScrubbing = false;
+    if (!std::exchange(mResumeAfterScrub, false))
+        return;
+    // Left at the very end, a single pass is over; play() would start it again.
+    const bool isOver = mPlayback.loopMode() == model::LoopMode::Once &&
+                        mPlayback.frame() == (mPlayback.isReversed() ? mPlayback.rangeFirst() : mPlayback.rangeLast());
+    if (!isOver)
+        play();
+}
+
+void Player::frameShown(std::uint32_t frame)
+{
+    if (frame != mPlayback.frame() || !std::exchange(mAwaitingShown, false))
+        return;
+    if (mPlayback.isPlaying() && mPlayback.pacing() == model::Pacing::EveryFrame)
+        tick();
+}
+
+void Player::tick()
+{
+    if (!mPlayback.isPlaying() || (mPlayback.pacing() == model::Pacing::EveryFrame && mAwaitingShown))
+        return;
+    const model::Playback before = mPlayback;
+    mPlayback.advance(double(mClock.nsecsElapsed()) * 1e-9);
+    mClock.start();
+    const bool moved = mPlayback.frame() != before.frame();
+    if (moved) {
+        mAwaitingShown = true;
+        requestFrame();
+    }
+    scheduleTick();
+    if (moved)
+        emit frameChanged(mPlayback.frame());
+    if (!isSameState(mPlayback, before))
+        emit stateChanged();
+}
+
+void Player::scheduleTick()
+{
+    const bool waits = mPlayback.pacing() == model::Pacing::EveryFrame && mAwaitingShown;
+    if (!mPlayback.isPlaying() || waits) {
+        mTimer.stop();
+        return;
+    }
+    const double passed = double(mClock.nsecsElapsed()) * 1e-9;
+    const double seconds = std::max(0.0, mPlayback.secondsToNextFrame() - passed);
+    mTimer.start(int(std::ceil(seconds * 1000)));
+}
+
+void Player::requestFrame()
+{
+    if (!mSource)
+        return;
+    const auto isWanted = [this](const FrameDataPtr &data) {
+        return data && data->source == mSource && data->frame == mPlayback.frame();
+    };
+    if (isWanted(mCurrent)) {
+        mWorker->cancel();
+        mAwaitingShown = false;
+        requestAhead();
+    } else if (isWanted(mAhead)) {
+        mWorker->cancel();
+        show(std::exchange(mAhead, nullptr));
+    } else {
+        mWorker->request(mSource, mPlayback.frame(), FramePurpose::Wanted);
+    }
+}
+
+void Player::requestAhead()
+{
+    if (!mPlayback.isPlaying())
+        return;
+    std::uint64_t steps = 1;
+    if (mPlayback.pacing() == model::Pacing::RealTime) // slower than real time: aim at what is due when it is made
+        steps = std::uint64_t(std::ceil(mCurrent->computeMilliseconds * 1e-3 * mPlayback.framesPerSecond()));
+    const std::uint32_t frame = mPlayback.frameAfter(std::max<std::uint64_t>(steps, 1));
+    const bool isThere = mAhead && mAhead->source == mSource && mAhead->frame == frame;
+    if (isThere || frame == mPlayback.frame())
+        return;
+    mIsAheadWelcome = true;
+    mWorker->request(mSource, frame, FramePurpose::Ahead);
+}
+
+void Player::receive(const FrameDataPtr &frame, FramePurpose purpose)
+{
+    if (frame->source != mSource)
+        return;
+    const bool isDue = frame->frame == mPlayback.frame();
+    const bool isWaiting = !mCurrent || mCurrent->source != mSource || mCurrent->frame != mPlayback.frame();
+    if (isDue || (purpose == FramePurpose::Wanted && isWaiting)) {
+        show(frame); // if not due, scrubbing or play has gone on: still better than a picture that stands
+    } else if (purpose == FramePurpose::Ahead && mIsAheadWelcome) {
+        if (isWaiting)
+            show(frame);
+        else
+            mAhead = frame;
+    }
+}
+
+void Player::show(const FrameDataPtr &frame)
+{
+    mCurrent = frame;
+    if (frame->frame == mPlayback.frame())
+        requestAhead();
+    emit frameReady(frame);
+}
+
+} // namespace views

@@ -1,30 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/animation/framesource.h"
 #include "model/animation/playback.h"
+#include "views/scene/framedata.h"
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
 #include <memory>
-#include <vector>
 
 namespace views {
 
-/// What is drawn for one frame; immutable once made.
-struct FrameData
-{
-    std::uint32_t frame = 0;
-    std::vector<model::Vec3f> positions; ///< #V x 3
-    std::vector<model::Vec3f> normals;   ///< #V x 3, unit
-    double computeMilliseconds = 0;      ///< decoding and normals
-};
-using FrameDataPtr = std::shared_ptr<const FrameData>;
+class FrameWorker;
+enum class FramePurpose : std::uint8_t;
 
-/// Plays an animation: drives model::Playback by the clock, makes frames in a worker (the newest request wins, the next
-/// frame is made ahead), and hands them to whoever draws. One per open document; viewport and timeline share it.
+/// Plays an animation: drives model::Playback by the clock, has frames made by a worker (the newest request wins, the
+/// next frame is made ahead), and hands them to whoever draws. One per open document; viewport and timeline share it.
 class Player final : public QObject
 {
     Q_OBJECT
@@ -33,12 +25,14 @@ public:
     explicit Player(QObject *parent = nullptr);
     ~Player() override;
 
-    /// Shows another animation, or the same one edited; frame and range are clamped.
+    /// Shows another animation, or the same one edited; frame and range are clamped. The rate becomes the source's if
+    /// that is another than the last source's. Null: nothing to play.
     void setSource(model::FrameSourcePtr source);
     const model::FrameSourcePtr &source() const { return mSource; }
 
     const model::Playback &playback() const { return mPlayback; }
-    /// The newest frame that is ready to be drawn; null before the first.
+    /// The newest frame that is ready to be drawn; null before the first. For a moment after setSource() still one of
+    /// the source before.
     FrameDataPtr currentFrame() const { return mCurrent; }
 
 public slots:
@@ -71,10 +65,27 @@ signals:
     void stateChanged();
 
 private:
-    // Replaced or extended by the implementation as it needs.
+    void receive(const FrameDataPtr &frame, FramePurpose purpose);
+    void show(const FrameDataPtr &frame);
+    void requestFrame();
+    void requestAhead();
+    void tick();
+    void scheduleTick();
+    /// Runs `change` on the playback and tells of what became different.
+    template <class Change>
+    void update(Change change);
+
     model::FrameSourcePtr mSource;
     model::Playback mPlayback;
     FrameDataPtr mCurrent;
+    FrameDataPtr mAhead; ///< made before it is due
+    bool mScrubbing = false;
+    bool mResumeAfterScrub = false;
+    bool mIsAheadWelcome = false; ///< false after a jump: what is made ahead will not be due
+    bool mAwaitingShown = false;  ///< EveryFrame: the present frame is not on the screen yet
+    QTimer mTimer;
+    QElapsedTimer mClock;
+    std::unique_ptr<FrameWorker> mWorker; ///< last: its thread ends before the rest goes
 };
 
 } // namespace views

@@ -1,2 +1,461 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/viewport/animationviewport.h"
+
+#include "model/animation/normalisation.h"
+#include "views/viewport/glsupport.h"
+
+#include <QFocusEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLVersionFunctionsFactory>
+#include <QWheelEvent>
+#include <QtConcurrentRun>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+namespace {
+
+constexpr int HardwareSamples = 4;
+/// Zoom by one notch of a wheel or one press of a key; three notches halve the distance.
+constexpr float ZoomStep = 0.79f;
+constexpr float NotchDegrees = 15;
+/// Turn of an arrow key, as a share of the picture's height: 15 degrees.
+constexpr float KeyTurn = 15.0f / 180;
+constexpr float KeyPan = 0.05f;
+
+} // namespace
+
+AnimationViewport::AnimationViewport(Player &player, QWidget *parent)
+    : QOpenGLWidget(parent)
+    , mPlayer(player)
+{
+    QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
+    wanted.setSamples(glSupport().isSoftware ? 0 : HardwareSamples);
+    setFormat(wanted);
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Animation"));
+    setAccessibleDescription(tr("The mesh in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it."));
+    applyPalette();
+    mClock.start();
+    connect(&mPlayer, &Player::frameReady, this, [this] { update(); });
+    connect(&mPlayer, &Player::sourceChanged, this, &AnimationViewport::sourceChanged);
+    connect(this, &QOpenGLWidget::frameSwapped, this, &AnimationViewport::frameSwapped);
+    connect(&mBoundsWatcher, &QFutureWatcherBase::finished, this, &AnimationViewport::boundsFound);
+    sourceChanged();
+}
+
+AnimationViewport::~AnimationViewport()
+{
+    mBoundsProgress.cancel();
+    mBoundsWatcher.disconnect(this);
+    if (context())
+        disconnect(context(), nullptr, this, nullptr);
+    releaseGl();
+}
+
+void AnimationViewport::setDrawMode(DrawMode mode)
+{
+    if (mode == mStyle.drawMode)
+        return;
+    mStyle.drawMode = mode;
+    update();
+    emit styleChanged();
+}
+
+void AnimationViewport::setPointDensity(double density)
+{
+    const double wanted = std::clamp(density, 0.0, 1.0);
+    if (wanted == mStyle.pointDensity)
+        return;
+    mStyle.pointDensity = wanted;
+    update();
+    emit styleChanged();
+}
+
+void AnimationViewport::setStatisticsVisible(bool visible)
+{
+    mStatisticsVisible = visible;
+    update();
+}
+
+void AnimationViewport::setGridVisible(bool visible)
+{
+    mStyle.hasGrid = visible;
+    update();
+}
+
+void AnimationViewport::setCamera(const model::OrbitCamera &camera)
+{
+    mCamera = camera;
+    cameraMoved();
+}
+
+void AnimationViewport::fitView()
+{
+    mCamera.fit(sceneBox(), aspect());
+    cameraMoved();
+    mCameraIsOurs = true;
+}
+
+void AnimationViewport::zoom(float factor)
+{
+    mCamera.zoom(factor);
+    cameraMoved();
+}
+
+void AnimationViewport::cameraMoved()
+{
+    mCameraIsOurs = false;
+    update();
+    emit cameraChanged();
+}
+
+float AnimationViewport::aspect() const
+{
+    return float(std::max(width(), 1)) / float(std::max(height(), 1));
+}
+
+model::Box3f AnimationViewport::sceneBox() const
+{
+    if (mBounds)
+        return *mBounds;
+    const FrameDataPtr frame = mPlayer.currentFrame();
+    return frame ? model::boundingBox(frame->positions) : model::Box3f();
+}
+
+void AnimationViewport::sourceChanged()
+{
+    mBoundsProgress.cancel();
+    mBoundsProgress = model::Progress();
+    mBoundsSource = mPlayer.source();
+    if (!mBoundsSource) {
+        mBounds.reset();
+        update();
+        return;
+    }
+    mBoundsWatcher.setFuture(QtConcurrent::run([source = mBoundsSource, progress = mBoundsProgress] {
+        return model::boundingBoxOfAll(*source, progress).value_or(model::Box3f()); // empty: cancelled
+    }));
+}
+
+void AnimationViewport::boundsFound()
+{
+    if (mBoundsProgress.isCancelled() || !mBoundsSource || mBoundsWatcher.future().resultCount() == 0)
+        return;
+    const model::Box3f found = mBoundsWatcher.result();
+    const std::optional<model::Box3f> before = std::exchange(mBounds, found);
+    if (mCameraIsOurs) {
+        fitView();
+    } else if (before && !before->isEmpty() && before->diagonal() > 0 && found.diagonal() > 0) {
+        // An edit such as normalising moves and scales everything: the camera goes along. Small changes leave it.
+        const float scale = found.diagonal() / before->diagonal();
+        const float shift = model::length(found.center() - before->center()) / before->diagonal();
+        if (scale < 0.67f || scale > 1.5f || shift > 0.25f) {
+            mCamera.target = found.center() + (mCamera.target - before->center()) * scale;
+            mCamera.distance *= scale;
+            cameraMoved();
+        }
+    }
+    update();
+}
+
+void AnimationViewport::initializeGL()
+{
+    // Called again with another context when the widget moves to another window, as docks do.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &AnimationViewport::releaseGl);
+    mGl = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(context());
+    if (!mGl)
+        return;
+    GLint texture = 0, renderbuffer = 0, viewport[2] = {};
+    mGl->glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    mGl->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
+    mGl->glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    const int side = std::min(texture, renderbuffer);
+    mMaximumPictureSize = QSize(std::min(side, viewport[0]), std::min(side, viewport[1]));
+    mRenderer = std::make_unique<SceneRenderer>(*mGl);
+    if (!mRenderer->error().isEmpty())
+        qCritical("Shader: %s", qUtf8Printable(mRenderer->error()));
+}
+
+void AnimationViewport::releaseGl()
+{
+    if (!mRenderer)
+        return;
+    makeCurrent();
+    mRenderer.reset();
+    mGl = nullptr;
+    mUploaded.reset();
+    doneCurrent();
+}
+
+model::FrameSourcePtr AnimationViewport::sourceOf(const FrameData &frame) const
+{
+    const model::FrameSourcePtr &source = frame.source ? frame.source : mPlayer.source();
+    return source && source->vertexCount() == frame.positions.size() ? source : nullptr;
+}
+
+void AnimationViewport::uploadCurrentFrame()
+{
+    const FrameDataPtr frame = mPlayer.currentFrame();
+    const model::FrameSourcePtr source = frame ? sourceOf(*frame) : nullptr;
+    if (!source) {
+        mRenderer->clearMesh();
+        mUploaded.reset();
+        return;
+    }
+    if (frame == mUploaded)
+        return;
+    const qint64 start = mClock.nsecsElapsed();
+    mRenderer->upload(*frame, source);
+    mStatistics.uploadMilliseconds = double(mClock.nsecsElapsed() - start) * 1e-6;
+    mStatistics.computeMilliseconds = frame->computeMilliseconds;
+    mStatistics.vertexCount = source->vertexCount();
+    mStatistics.triangleCount = source->connectivity().triangles.size();
+    if (!mUploaded || mUploaded->frame != frame->frame)
+        mShownAt.push_back(mClock.elapsed());
+    mUploaded = frame;
+    if (mCameraIsOurs && !mBounds) { // until the box over all frames is known
+        mCamera.fit(sceneBox(), aspect());
+        emit cameraChanged();
+    }
+}
+
+void AnimationViewport::paintGL()
+{
+    if (!mRenderer)
+        return;
+    const qint64 now = mClock.elapsed();
+    uploadCurrentFrame();
+    while (!mShownAt.empty() && mShownAt.front() < now - 1000)
+        mShownAt.pop_front();
+    mStatistics.framesPerSecond = double(mShownAt.size());
+    const qint64 start = mClock.nsecsElapsed();
+    mStyle.pixelRatio = float(devicePixelRatioF());
+    mRenderer->draw(mCamera, pixelSize(), sceneBox(), mStyle);
+    mStatistics.drawMilliseconds = double(mClock.nsecsElapsed() - start) * 1e-6;
+    drawOverlay();
+}
+
+void AnimationViewport::drawOverlay()
+{
+    QPainter painter(this);
+    if (!mRenderer->error().isEmpty()) {
+        painter.setPen(Qt::white);
+        painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("The graphics driver refused a shader:\n%1").arg(mRenderer->error()));
+        return;
+    }
+    if (mUploaded) {
+        drawAxes(painter, rect(), mCamera, mStyle.isDark);
+        if (mStatisticsVisible)
+            drawStatistics(painter, mStatistics, mStyle.isDark);
+    }
+    if (mShowsFocus) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+}
+
+void AnimationViewport::frameSwapped()
+{
+    if (mUploaded && mUploaded->source == mPlayer.source())
+        mPlayer.frameShown(mUploaded->frame);
+}
+
+QImage AnimationViewport::renderPicture(const FrameData &frame, QSize size)
+{
+    const model::FrameSourcePtr source = sourceOf(frame);
+    if (!mRenderer || !source || size.isEmpty() || size.width() > mMaximumPictureSize.width() ||
+        size.height() > mMaximumPictureSize.height())
+        return {};
+    makeCurrent();
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    format.setSamples(HardwareSamples);
+    QImage picture;
+    {
+        QOpenGLFramebufferObject target(size, format);
+        if (target.isValid() && target.bind()) {
+            ViewStyle style = mStyle;
+            // Lines as thick as on the screen, in proportion to the picture.
+            style.pixelRatio = std::max(1.0f, float(size.height()) / float(std::max(height(), 1)));
+            mRenderer->upload(frame, source);
+            mUploaded.reset();
+            mRenderer->draw(mCamera, size, sceneBox(), style);
+            target.release();
+            picture = target.toImage().convertToFormat(QImage::Format_RGB32);
+        }
+    }
+    doneCurrent();
+    return picture;
+}
+
+void AnimationViewport::resizeEvent(QResizeEvent *event)
+{
+    QOpenGLWidget::resizeEvent(event);
+    if (mCameraIsOurs && !size().isEmpty()) {
+        mCamera.fit(sceneBox(), aspect());
+        emit cameraChanged();
+    }
+}
+
+void AnimationViewport::applyPalette()
+{
+    mStyle.isDark = palette().color(QPalette::Window).lightness() < 128;
+    update();
+}
+
+void AnimationViewport::changeEvent(QEvent *event)
+{
+    QOpenGLWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        applyPalette();
+}
+
+bool AnimationViewport::event(QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::NativeGesture: {
+        const auto &gesture = *static_cast<QNativeGestureEvent *>(event);
+        if (gesture.gestureType() != Qt::ZoomNativeGesture)
+            break;
+        zoomAt(float(1 / std::max(0.1, 1 + gesture.value())), gesture.position());
+        return true;
+    }
+    case QEvent::ShortcutOverride: // the arrows turn the mesh here, though elsewhere they step through frames
+        switch (static_cast<QKeyEvent *>(event)->key()) {
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+            event->accept();
+            return true;
+        default:
+            break;
+        }
+        break;
+    default:
+        break;
+    }
+    return QOpenGLWidget::event(event);
+}
+
+void AnimationViewport::mousePressEvent(QMouseEvent *event)
+{
+    if (mDrag != Drag::None)
+        return; // a second button during a drag changes nothing
+    switch (event->button()) {
+    case Qt::LeftButton:
+        mDrag = event->modifiers() & Qt::ShiftModifier ? Drag::Pan : Drag::Orbit;
+        break;
+    case Qt::MiddleButton:
+        mDrag = Drag::Pan;
+        break;
+    case Qt::RightButton:
+        mDrag = Drag::Zoom;
+        break;
+    default:
+        return;
+    }
+    mDragPlace = event->position();
+    if (std::exchange(mShowsFocus, false))
+        update();
+}
+
+void AnimationViewport::mouseMoveEvent(QMouseEvent *event)
+{
+    if (mDrag == Drag::None)
+        return;
+    const QPointF moved = (event->position() - mDragPlace) / std::max(height(), 1);
+    mDragPlace = event->position();
+    const auto dx = float(moved.x()), dy = float(moved.y());
+    if (mDrag == Drag::Orbit)
+        mCamera.orbit(dx, dy);
+    else if (mDrag == Drag::Pan)
+        mCamera.pan(dx, dy);
+    else
+        mCamera.zoom(std::pow(4.0f, dy));
+    cameraMoved();
+}
+
+void AnimationViewport::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (event->buttons() == Qt::NoButton)
+        mDrag = Drag::None;
+}
+
+void AnimationViewport::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton)
+        fitView();
+    else
+        mousePressEvent(event);
+}
+
+void AnimationViewport::zoomAt(float factor, QPointF place)
+{
+    const QPointF fromMiddle = (place - QPointF(width(), height()) / 2) / std::max(height(), 1);
+    mCamera.zoomAt(factor, float(fromMiddle.x()), float(fromMiddle.y()));
+    cameraMoved();
+}
+
+void AnimationViewport::wheelEvent(QWheelEvent *event)
+{
+    const float notches = float(event->angleDelta().y()) / (8 * NotchDegrees);
+    if (notches != 0)
+        zoomAt(std::pow(ZoomStep, notches), event->position());
+    event->accept();
+}
+
+void AnimationViewport::keyPressEvent(QKeyEvent *event)
+{
+    const bool pans = event->modifiers() & Qt::ShiftModifier;
+    const auto move = [&](float x, float y) {
+        if (pans)
+            mCamera.pan(x * KeyPan, y * KeyPan);
+        else
+            mCamera.orbit(x * KeyTurn, y * KeyTurn);
+        cameraMoved();
+    };
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return move(-1, 0);
+    case Qt::Key_Right:
+        return move(1, 0);
+    case Qt::Key_Up:
+        return move(0, -1);
+    case Qt::Key_Down:
+        return move(0, 1);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        return zoom(ZoomStep);
+    case Qt::Key_Minus:
+        return zoom(1 / ZoomStep);
+    case Qt::Key_F:
+        return fitView();
+    default:
+        QOpenGLWidget::keyPressEvent(event);
+    }
+}
+
+void AnimationViewport::focusInEvent(QFocusEvent *event)
+{
+    const Qt::FocusReason reason = event->reason();
+    mShowsFocus = reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason || reason == Qt::ShortcutFocusReason;
+    update();
+}
+
+void AnimationViewport::focusOutEvent(QFocusEvent *)
+{
+    mShowsFocus = false;
+    update();
+}
+
+} // namespace views

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/progress.h"
 #include "model/mesh/camera.h"
 #include "views/scene/player.h"
+#include "views/viewport/overlay.h"
+#include "views/viewport/scenerenderer.h"
 
+#include <QFutureWatcher>
 #include <QImage>
 #include <QOpenGLWidget>
 
+#include <deque>
+#include <optional>
+
 namespace views {
 
-enum class DrawMode : std::uint8_t { Shaded, ShadedWireframe, Wireframe, Points };
-
-/// Draws the player's current frame with OpenGL 3.3 core; orbit (left drag), pan (middle or Shift+left drag), zoom
-/// (wheel, right drag), fit (F). Only positions and normals are uploaded per frame.
+/// Draws the player's current frame with OpenGL 3.3 core; orbit (left drag, arrow keys), pan (middle or Shift+left
+/// drag, Shift+arrows), zoom (wheel, pinch, right drag, + and -), fit (F, double click). Only positions and normals are
+/// uploaded per frame.
+///
+/// At first the camera holds the whole animation; it stays where the user puts it when the animation is edited, unless
+/// that would leave the picture empty. Precondition: glSupport().isSufficient.
 class AnimationViewport final : public QOpenGLWidget
 {
     Q_OBJECT
@@ -21,31 +30,92 @@ public:
     explicit AnimationViewport(Player &player, QWidget *parent = nullptr);
     ~AnimationViewport() override;
 
-    DrawMode drawMode() const { return mDrawMode; }
+    DrawMode drawMode() const { return mStyle.drawMode; }
     void setDrawMode(DrawMode mode);
     /// Share of the vertices drawn in Points mode, 0..1.
-    double pointDensity() const { return mPointDensity; }
+    double pointDensity() const { return mStyle.pointDensity; }
     void setPointDensity(double density);
     void setStatisticsVisible(bool visible);
     bool isStatisticsVisible() const { return mStatisticsVisible; }
+    void setGridVisible(bool visible);
+    bool isGridVisible() const { return mStyle.hasGrid; }
 
     const model::OrbitCamera &camera() const { return mCamera; }
     void setCamera(const model::OrbitCamera &camera);
     void fitView();
+    /// Factor < 1 comes nearer, to the middle of the picture.
+    void zoom(float factor);
 
     /// The picture at another size than the widget's, without the read-out; for screenshots and PNG sequences.
+    /// A null image if the widget was never shown or the size is not within maximumPictureSize().
     QImage renderPicture(const FrameData &frame, QSize size);
+    /// What the GPU can draw at once; empty before the widget was shown.
+    QSize maximumPictureSize() const { return mMaximumPictureSize; }
+
+    QSize minimumSizeHint() const override { return {160, 120}; }
+    QSize sizeHint() const override { return {800, 600}; }
 
 signals:
     void cameraChanged();
+    void styleChanged();
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    bool event(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
 
 private:
-    // Replaced or extended by the implementation as it needs.
+    enum class Drag { None, Orbit, Pan, Zoom };
+
+    void releaseGl();
+    void sourceChanged();
+    void boundsFound();
+    /// The box over all frames, that of the current frame until it is known.
+    model::Box3f sceneBox() const;
+    void cameraMoved();
+    void zoomAt(float factor, QPointF place);
+    void uploadCurrentFrame();
+    void drawOverlay();
+    void frameSwapped();
+    void applyPalette();
+    QSize pixelSize() const { return size() * devicePixelRatioF(); }
+    float aspect() const;
+    /// Null if the frame does not go with its source.
+    model::FrameSourcePtr sourceOf(const FrameData &frame) const;
+
     Player &mPlayer;
     model::OrbitCamera mCamera;
-    DrawMode mDrawMode = DrawMode::Shaded;
-    double mPointDensity = 1.0;
+    ViewStyle mStyle;
     bool mStatisticsVisible = true;
+
+    QOpenGLFunctions_3_3_Core *mGl = nullptr; ///< the context's
+    std::unique_ptr<SceneRenderer> mRenderer;
+    FrameDataPtr mUploaded;
+    QSize mMaximumPictureSize;
+
+    bool mCameraIsOurs = true; ///< nobody moved it since it was fitted
+    std::optional<model::Box3f> mBounds;
+    model::FrameSourcePtr mBoundsSource;
+    QFutureWatcher<model::Box3f> mBoundsWatcher;
+    model::Progress mBoundsProgress;
+
+    Drag mDrag = Drag::None;
+    QPointF mDragPlace;
+    bool mShowsFocus = false; ///< got the focus by the keyboard
+
+    ViewportStatistics mStatistics;
+    std::deque<qint64> mShownAt; ///< milliseconds, of the last second
+    QElapsedTimer mClock;
 };
 
 } // namespace views

@@ -10,11 +10,13 @@ namespace views {
 struct GlSupport
 {
     bool isSufficient = false; ///< OpenGL 3.3 core or newer
+    bool isSoftware = false;   ///< drawn by the processor: multisampling is too dear then
     QString version;           ///< "4.5 (Core Profile) Mesa 22.3.6", empty if there is none
     QString renderer;
 };
 
 /// The result is kept; the first call takes some 50 ms. Call in the GUI thread after QApplication exists.
+/// The environment variable SANDREEL_OPENGL, "none" or "old", simulates such a machine.
 const GlSupport &glSupport();
 
 /// Sets the default surface format (3.3 core, depth 24). Call before QApplication is made.

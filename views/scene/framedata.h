@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/animation/framesource.h"
+
+#include <memory>
+#include <vector>
+
+namespace views {
+
+/// What is drawn for one frame; immutable once made.
+struct FrameData
+{
+    model::FrameSourcePtr source; ///< whose frame it is; its connectivity goes with the positions
+    std::uint32_t frame = 0;
+    std::vector<model::Vec3f> positions; ///< #V x 3
+    std::vector<model::Vec3f> normals;   ///< #V x 3, unit
+    double computeMilliseconds = 0;      ///< decoding and normals
+};
+using FrameDataPtr = std::shared_ptr<const FrameData>;
+
+/// Decodes a frame and computes its normals into `data`, whose buffers are reused. Any thread.
+/// Precondition: frame < source->frameCount().
+void makeFrame(const model::FrameSourcePtr &source, std::uint32_t frame, FrameData &data);
+
+} // namespace views

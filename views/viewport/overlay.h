@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/mesh/camera.h"
+
+#include <QPainter>
+
+namespace views {
+
+/// What the viewport tells about itself.
+struct ViewportStatistics
+{
+    std::uint32_t vertexCount = 0;
+    std::size_t triangleCount = 0;
+    double framesPerSecond = 0;     ///< different frames shown in the last second
+    double computeMilliseconds = 0; ///< decoding and normals, in the worker
+    double uploadMilliseconds = 0;
+    double drawMilliseconds = 0;
+};
+
+/// The read-out in the upper left corner.
+void drawStatistics(QPainter &painter, const ViewportStatistics &statistics, bool isDark);
+
+/// Where x, y and z point, in the lower left corner of `area`.
+void drawAxes(QPainter &painter, const QRect &area, const model::OrbitCamera &camera, bool isDark);
+
+} // namespace views
