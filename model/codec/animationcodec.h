@@ -51,10 +51,23 @@ struct EncodedAnimation
 Result<EncodedAnimation> encodeAnimation(const FrameSource &source, const CompressionSettings &settings,
                                          const Progress &progress = Progress());
 
+/// What decoding may use. The default is safe for files from anywhere.
+struct DecodeLimits
+{
+    /// Most memory of the opened animation, bytes; 0: 64 MiB and 64 bytes for each byte of the file.
+    std::uint64_t memoryBytes = 0;
+
+    std::uint64_t bytesFor(std::uint64_t fileSize) const
+    {
+        return memoryBytes ? memoryBytes : (std::uint64_t(64) << 20) + 64 * fileSize;
+    }
+};
+
 /// Decodes an `.anim` file from memory. Takes untrusted bytes.
 /// \error BadMagic, UnsupportedVersion, Truncated, ChecksumMismatch, MissingChunk, DuplicateChunk, BadValue,
 ///        UnknownCodec, CorruptStream, TrailingBytes, LimitExceeded, Cancelled; each with its byte offset
-Result<std::shared_ptr<const DecodedAnimation>> decodeAnimation(Bytes file, const Progress &progress = Progress());
+Result<std::shared_ptr<const DecodedAnimation>> decodeAnimation(Bytes file, const Progress &progress = Progress(),
+                                                                const DecodeLimits &limits = DecodeLimits());
 
 /// The file with another name and frame rate, everything else as it is, bit for bit.
 /// Precondition: `file` was made by encodeAnimation or accepted by decodeAnimation.

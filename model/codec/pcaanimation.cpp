@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/codec/pcaanimation.h"
+
+#include "model/codec/kernels.h"
+
+namespace model::codec {
+
+namespace {
+
+std::uint64_t tileCount(std::uint64_t vertices)
+{
+    return (vertices + TileVertices - 1) / TileVertices;
+}
+
+} // namespace
+
+PcaAnimation::PcaAnimation(Header header, CompressionSettings settings, std::uint32_t rank)
+    : mHeader(std::move(header))
+    , mSettings(settings)
+    , mRank(rank)
+    , mBasis(std::size_t(3) * mHeader.frameCount * rank)
+    , mTiles(std::size_t(tileCount(mHeader.vertexCount)) * TileVertices * rank)
+{}
+
+void PcaAnimation::setFile(Bytes file, std::uint64_t digest)
+{
+    mFile = std::move(file);
+    mDigest = digest;
+}
+
+void PcaAnimation::setMeans(std::span<const std::int64_t> quantized)
+{
+    mMeans.reserve(quantized.size());
+    for (const std::int64_t q : quantized)
+        mMeans.push_back(double(q) / mSettings.resolution);
+}
+
+void PcaAnimation::setBasisRow(std::uint32_t k, std::span<const std::int32_t> quantized)
+{
+    for (std::size_t i = 0; i < quantized.size(); ++i)
+        mBasis[i * mRank + k] = float(quantized[i] / mSettings.resolution);
+}
+
+void PcaAnimation::setCoefficientRow(std::uint32_t k, std::span<const std::int32_t> quantized)
+{
+    const double step = 1 / mSettings.resolution;
+    for (std::size_t v = 0; v < quantized.size(); ++v)
+        mTiles[(v / TileVertices * mRank + k) * TileVertices + v % TileVertices] = float(quantized[v] * step);
+}
+
+void PcaAnimation::positions(std::uint32_t frame, std::span<Vec3f> out) const
+{
+    const double *mean = mMeans.data() + std::size_t(3) * frame;
+    const float start[3] = {float(mean[0]), float(mean[1]), float(mean[2])};
+    kernels().reconstruct(mTiles.data(), mRank, mBasis.data() + std::size_t(3) * frame * mRank, start, out.size(),
+                          &out.data()->x);
+}
+
+std::size_t PcaAnimation::memoryBytes() const
+{
+    return sizeof *this + mFile.capacity() + mHeader.creator.capacity() + mHeader.name.capacity() +
+           mHeader.extra.capacity() + mConnectivity.triangles.capacity() * sizeof(Triangle) +
+           mMeans.capacity() * sizeof(double) + mBasis.capacity() * sizeof(float) + mTiles.capacity() * sizeof(float);
+}
+
+std::uint64_t PcaAnimation::neededBytes(const Header &header, std::uint32_t rank)
+{
+    return sizeof(PcaAnimation) + std::uint64_t(header.triangleCount) * sizeof(Triangle) +
+           std::uint64_t(header.frameCount) * 3 * (sizeof(double) + sizeof(std::int64_t) + rank * sizeof(float)) +
+           tileCount(header.vertexCount) * TileVertices * rank * sizeof(float);
+}
+
+} // namespace model::codec

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Based on:
+// - M. Alexa, W. Mueller: Representing Animations by Principal Components, 2000
+// Differs: the eigenvectors come from the Gram matrix of the smaller side, and the coefficients are fitted to the basis
+// as the decoder has it.
+#include "model/codec/principalbasis.h"
+
+#include "model/base/parallel.h"
+#include "model/codec/bandstage.h"
+#include "model/codec/eigenvectors.h"
+#include "model/codec/kernels.h"
+#include "model/codec/syntax.h"
+
+#include <Eigen/Cholesky>
+
+#include <atomic>
+#include <cmath>
+
+namespace model::codec {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using RowMajorMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Floats of a panel of S that are worked on at once: 16 MB, whatever the animation's size.
+constexpr std::size_t PanelFloats = 1u << 22;
+constexpr std::size_t MaxPanelColumns = 2048;
+constexpr std::size_t BlockColumns = 256;
+// Added to the diagonal of U^T U, relative to its largest entry, so that trajectories that became dependent by
+// quantisation do not make it singular. Its effect on the coefficients is below the precision of a float.
+constexpr double Ridge = 1e-10;
+
+struct Quantizer
+{
+    double resolution;
+    const char *what;
+    double limit;
+    std::atomic<bool> exceeded = false;
+
+    double operator()(double value)
+    {
+        const double q = std::round(value * resolution);
+        if (!(std::fabs(q) <= limit)) {
+            exceeded.store(true, std::memory_order_relaxed);
+            return 0;
+        }
+        return q;
+    }
+    tl::unexpected<Error> error() const
+    {
+        return fail(ErrorCode::LimitExceeded, std::string(what) + " x resolution " + numberText(resolution),
+                    "more than " + numberText(limit), numberText(limit));
+    }
+};
+
+std::size_t panelColumns(std::size_t rows)
+{
+    const std::size_t fitting = PanelFloats / rows / BlockColumns * BlockColumns;
+    return std::clamp(fitting, BlockColumns, MaxPanelColumns);
+}
+
+/// S S^T if it has fewer rows than columns, else S^T S.
+Result<MatrixXd> gramMatrix(const FrameStack &frames, std::span<const double> means, const Progress &progress)
+{
+    const bool byVertices = frames.rowCount() <= frames.vertexCount();
+    const std::size_t rows = byVertices ? frames.rowCount() : frames.vertexCount();
+    const std::size_t columns = byVertices ? frames.vertexCount() : frames.frameCount(); // a frame is three columns
+    const std::size_t step = byVertices ? panelColumns(rows) : std::max<std::size_t>(1, panelColumns(rows) / 3);
+    const std::size_t stride = byVertices ? step : 3 * step;
+
+    MatrixXd gram = MatrixXd::Zero(Index(rows), Index(rows));
+    std::vector<float> panel(rows * stride);
+    const std::size_t tiles = (rows + MaxGramTile - 1) / MaxGramTile;
+    for (std::size_t first = 0; first < columns; first += step) {
+        const std::size_t count = std::min(step, columns - first);
+        const std::size_t depth = byVertices ? count : 3 * count;
+        // Each thread fills a part of every row; then each tile is summed by one thread in a fixed order.
+        parallelRanges(count, byVertices ? BlockColumns : 16, [&](std::size_t begin, std::size_t end) {
+            if (progress.isCancelled())
+                return;
+            if (byVertices)
+                frames.centredVertices(means, first + begin, end - begin, panel.data() + begin, stride);
+            else
+                frames.centredFrames(means, first + begin, end - begin, panel.data() + 3 * begin, stride);
+        });
+        parallelFor(tiles * tiles, [&](std::size_t tile) {
+            const std::size_t i = tile / tiles * MaxGramTile;
+            const std::size_t j = tile % tiles * MaxGramTile;
+            if (j > i || progress.isCancelled())
+                return;
+            kernels().gramTile(panel.data() + i * stride, std::min(MaxGramTile, rows - i), panel.data() + j * stride,
+                               std::min(MaxGramTile, rows - j), depth, stride, gram.data() + i * rows + j, rows);
+        });
+        if (progress.isCancelled())
+            return fail(ErrorCode::Cancelled);
+        progress.report(double(first + count) / double(columns));
+    }
+    // What was filled is the lower triangle of a row-major matrix: Eigen's upper one.
+    gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
+    return gram;
+}
+
+/// The strongest trajectories, orthonormal: #3F x count.
+Result<MatrixXd> principalBasis(const FrameStack &frames, std::span<const double> means, std::size_t count,
+                                const Progress &progress)
+{
+    const Result<MatrixXd> gram = gramMatrix(frames, means, progress.part(0, 0.7));
+    if (!gram)
+        return fail(gram.error());
+    Result<MatrixXd> vectors = strongestEigenvectors(*gram, count, progress.part(0.7, 1));
+    if (!vectors || frames.rowCount() <= frames.vertexCount())
+        return vectors;
+
+    // Eigenvectors w of S^T S: u = S w / |S w|.
+    MatrixXd basis = MatrixXd::Zero(Index(frames.rowCount()), vectors->cols());
+    RowMajorMatrixF panel(Index(frames.rowCount()), Index(BlockColumns));
+    for (std::size_t first = 0; first < frames.vertexCount(); first += BlockColumns) {
+        if (progress.isCancelled())
+            return fail(ErrorCode::Cancelled);
+        const std::size_t width = std::min<std::size_t>(BlockColumns, frames.vertexCount() - first);
+        frames.centredVertices(means, first, width, panel.data(), BlockColumns);
+        basis.noalias() +=
+            panel.leftCols(Index(width)).cast<double>() * vectors->middleRows(Index(first), Index(width));
+    }
+    basis.colwise().normalize();
+    return basis;
+}
+
+/// An eigenvector is one up to its sign: make its entry of largest magnitude positive, so that the file does not
+/// depend on the solver's way to it.
+void fixSigns(MatrixXd &basis)
+{
+    for (Index k = 0; k < basis.cols(); ++k) {
+        Index at = 0;
+        basis.col(k).cwiseAbs().maxCoeff(&at);
+        if (basis(at, k) < 0)
+            basis.col(k) = -basis.col(k);
+    }
+}
+
+/// Quantises; trajectories that vanish at this resolution are left out. `basis` becomes what the decoder will have.
+std::vector<std::int32_t> quantizeBasis(MatrixXd &basis, Quantizer &quantize)
+{
+    std::vector<std::int32_t> result;
+    Index kept = 0;
+    for (Index k = 0; k < basis.cols(); ++k) {
+        const std::size_t start = result.size();
+        bool vanishes = true;
+        for (Index r = 0; r < basis.rows(); ++r) {
+            result.push_back(std::int32_t(quantize(basis(r, k))));
+            vanishes = vanishes && result.back() == 0;
+        }
+        if (vanishes) {
+            result.resize(start);
+            continue;
+        }
+        for (Index r = 0; r < basis.rows(); ++r)
+            basis(r, kept) = result[start + std::size_t(r)] / quantize.resolution;
+        ++kept;
+    }
+    basis.conservativeResize(Eigen::NoChange, kept);
+    return result;
+}
+
+/// The least-squares coefficients of every vertex on the decoded basis, quantised: #rank x #V.
+Result<std::vector<std::int32_t>> fittedCoefficients(const FrameStack &frames, std::span<const double> means,
+                                                     const MatrixXd &basis, double resolution, const Progress &progress)
+{
+    Quantizer quantize{resolution, "coefficient", MaxBandValue};
+    MatrixXd normal = basis.transpose() * basis;
+    normal.diagonal().array() += Ridge * normal.diagonal().maxCoeff();
+    const RowMajorMatrixF projection = normal.llt().solve(basis.transpose()).cast<float>();
+
+    const std::size_t rank = std::size_t(basis.cols());
+    const std::size_t vertices = frames.vertexCount();
+    std::vector<std::int32_t> result(rank * vertices);
+    std::atomic<std::size_t> done = 0;
+    parallelRanges(vertices, BlockColumns, [&](std::size_t begin, std::size_t end) {
+        if (progress.isCancelled())
+            return;
+        const std::size_t width = end - begin;
+        std::vector<float> panel(frames.rowCount() * width);
+        std::vector<float> values(rank * width);
+        frames.centredVertices(means, begin, width, panel.data(), width);
+        kernels().multiply(projection.data(), rank, frames.rowCount(), panel.data(), width, width, values.data(),
+                           width);
+        for (std::size_t k = 0; k < rank; ++k)
+            for (std::size_t i = 0; i < width; ++i)
+                result[k * vertices + begin + i] = std::int32_t(quantize(double(values[k * width + i])));
+        progress.report(double(done += width) / double(vertices));
+    });
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
+    if (quantize.exceeded)
+        return quantize.error();
+    return result;
+}
+
+/// Bands that hold nothing but zeros are left out: an animation of lower rank keeps fewer trajectories.
+void dropEmptyBands(QuantizedPca &pca, std::size_t rows, std::size_t vertices)
+{
+    std::uint32_t kept = 0;
+    for (std::uint32_t k = 0; k < pca.rank; ++k) {
+        const auto band = pca.coefficients.begin() + std::ptrdiff_t(k * vertices);
+        if (std::all_of(band, band + std::ptrdiff_t(vertices), [](std::int32_t q) { return q == 0; }))
+            continue;
+        if (kept != k) {
+            std::copy_n(band, vertices, pca.coefficients.begin() + std::ptrdiff_t(kept * vertices));
+            std::copy_n(pca.basis.begin() + std::ptrdiff_t(k * rows), rows,
+                        pca.basis.begin() + std::ptrdiff_t(kept * rows));
+        }
+        ++kept;
+    }
+    pca.rank = kept;
+    pca.coefficients.resize(kept * vertices);
+    pca.basis.resize(kept * rows);
+}
+
+} // namespace
+
+Result<QuantizedPca> quantizedPca(const FrameStack &frames, const CompressionSettings &settings,
+                                  const Progress &progress)
+{
+    QuantizedPca pca;
+    Quantizer quantizeMean{settings.resolution, "mean position", double(MaxMeanValue)};
+    std::vector<double> means = frames.rowMeans();
+    for (double &mean : means) {
+        pca.means.push_back(std::int64_t(quantizeMean(mean)));
+        // The basis then makes up for what the quantisation of the means took.
+        mean = double(pca.means.back()) / settings.resolution;
+    }
+    if (quantizeMean.exceeded)
+        return quantizeMean.error();
+
+    const std::size_t count = std::min<std::size_t>({settings.basisSize, frames.rowCount(), frames.vertexCount()});
+    Result<MatrixXd> basis = principalBasis(frames, means, count, progress.part(0, 0.8));
+    if (!basis)
+        return fail(basis.error());
+    fixSigns(*basis);
+    Quantizer quantizeBasisValue{settings.resolution, "basis", MaxBandValue};
+    pca.basis = quantizeBasis(*basis, quantizeBasisValue);
+    pca.rank = std::uint32_t(basis->cols());
+    if (pca.rank == 0)
+        return pca;
+    Result<std::vector<std::int32_t>> coefficients =
+        fittedCoefficients(frames, means, *basis, settings.resolution, progress.part(0.8, 1));
+    if (!coefficients)
+        return fail(coefficients.error());
+    pca.coefficients = std::move(*coefficients);
+    dropEmptyBands(pca, frames.rowCount(), frames.vertexCount());
+    return pca;
+}
+
+} // namespace model::codec
