@@ -45,9 +45,9 @@ void reconstructBody(const float *tiles, std::size_t rank, const float *basis, c
     for (std::size_t first = 0; first < vertexCount; first += TileVertices, tiles += rank * TileVertices) {
         float x[TileVertices], y[TileVertices], z[TileVertices];
         for (std::size_t i = 0; i < TileVertices; ++i) {
-            x[i] = mean[0];
-            y[i] = mean[1];
-            z[i] = mean[2];
+            x[i] = mean[3];
+            y[i] = mean[4];
+            z[i] = mean[5];
         }
         for (std::size_t k = 0; k < rank; ++k) {
             const float *c = tiles + k * TileVertices;
@@ -60,9 +60,9 @@ void reconstructBody(const float *tiles, std::size_t rank, const float *basis, c
         }
         const std::size_t count = vertexCount - first < TileVertices ? vertexCount - first : TileVertices;
         for (std::size_t i = 0; i < count; ++i) {
-            out[3 * (first + i)] = x[i];
-            out[3 * (first + i) + 1] = y[i];
-            out[3 * (first + i) + 2] = z[i];
+            out[3 * (first + i)] = mean[0] + x[i];
+            out[3 * (first + i) + 1] = mean[1] + y[i];
+            out[3 * (first + i) + 2] = mean[2] + z[i];
         }
     }
 }

@@ -31,7 +31,7 @@ struct Kernels
     /// The positions of one frame: mean + sum over k of basis x coefficient.
     /// \param tiles  coefficients as above
     /// \param basis  3 x rank: all of x, all of y, all of z
-    /// \param mean   x, y, z
+    /// \param mean   x, y, z, then what rounding them to float took away: far from the origin that is not little
     /// \param out    vertexCount x 3
     void (*reconstruct)(const float *tiles, std::size_t rank, const float *basis, const float *mean,
                         std::size_t vertexCount, float *out);

@@ -51,7 +51,11 @@ void PcaAnimation::setCoefficientRow(std::uint32_t k, std::span<const std::int32
 void PcaAnimation::positions(std::uint32_t frame, std::span<Vec3f> out) const
 {
     const double *mean = mMeans.data() + std::size_t(3) * frame;
-    const float start[3] = {float(mean[0]), float(mean[1]), float(mean[2])};
+    float start[6];
+    for (int axis = 0; axis < 3; ++axis) {
+        start[axis] = float(mean[axis]);
+        start[3 + axis] = float(mean[axis] - double(start[axis]));
+    }
     kernels().reconstruct(mTiles.data(), mRank, mBasis.data() + std::size_t(3) * frame * mRank, start, out.size(),
                           &out.data()->x);
 }
