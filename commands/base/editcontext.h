@@ -35,9 +35,10 @@ public:
         pushCommand(std::make_unique<Command>(mDocument, std::forward<Args>(args)...));
     }
 
-private:
+    /// The same for a command that was made already, for this document as it is now.
     void pushCommand(std::unique_ptr<QUndoCommand> command);
 
+private:
     model::AnimationDocument &mDocument;
     QUndoStack mUndoStack;
     GestureId mLastGesture = NoGesture;
