@@ -157,7 +157,8 @@ Result<Container> readContainer(std::span<const std::uint8_t> file)
 
 ContainerWriter::ContainerWriter(const Header &header)
 {
-    mOut.bytes(Magic);
+    for (const std::uint8_t byte : Magic)
+        mOut.u8(byte);
     chunk(HeaderTag, encodeHeader(header));
 }
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
 
 using namespace model;
 
@@ -76,6 +79,52 @@ std::vector<NamedAnimation> animationTable()
                      return Vec3f{1e-7f * float(v), 1e-7f * float(f), 1e-8f * float(f * v % 9)};
                  }});
     return table;
+}
+
+std::shared_ptr<PlainAnimation> readPointCache(const std::string &folder)
+{
+    const std::string stem = folder + folder.substr(folder.find_last_of('/'));
+    std::ifstream cache(stem + ".pc2", std::ios::binary);
+    char head[32] = {};
+    cache.read(head, sizeof head);
+    std::uint32_t vertices = 0;
+    std::uint32_t frames = 0;
+    std::memcpy(&vertices, head + 16, 4);
+    std::memcpy(&frames, head + 28, 4);
+    std::vector<Vec3f> points(std::size_t(vertices) * frames);
+    cache.read(reinterpret_cast<char *>(points.data()), std::streamsize(points.size() * sizeof(Vec3f)));
+
+    std::vector<Triangle> triangles;
+    std::ifstream mesh(stem + ".obj");
+    for (std::string line; std::getline(mesh, line);) {
+        if (line.rfind("f ", 0) != 0)
+            continue;
+        std::istringstream corners(line.substr(2));
+        std::vector<std::uint32_t> face;
+        for (std::string corner; corners >> corner;)
+            face.push_back(std::uint32_t(std::stoul(corner)) - 1);
+        for (std::size_t i = 2; i < face.size(); ++i)
+            triangles.push_back({face[0], face[i - 1], face[i]});
+    }
+    return std::make_shared<PlainAnimation>(
+        frames, vertices, std::move(triangles),
+        [&](std::uint32_t f, std::uint32_t v) { return points[std::size_t(f) * vertices + v]; });
+}
+
+PlainAnimation normalised(const PlainAnimation &animation)
+{
+    Box3f box;
+    for (std::uint32_t f = 0; f < animation.frameCount(); ++f)
+        for (const Vec3f p : animation.frame(f)) {
+            box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+            box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+        }
+    const float longest = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+    PlainAnimation result = animation;
+    for (auto &frame : result.frames())
+        for (Vec3f &p : frame)
+            p = (p - (box.min + box.max) * 0.5f) * (2 / longest);
+    return result;
 }
 
 double kgErrorPercent(const FrameSource &reference, const FrameSource &test)

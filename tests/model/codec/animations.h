@@ -5,6 +5,7 @@
 #include "model/base/error.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,12 @@ struct NamedAnimation
 };
 /// The shapes that every codec must take: see the names.
 std::vector<NamedAnimation> animationTable();
+
+/// One of the real sequences that come as a point cache (PC2) with a base OBJ. \param folder  ends in its name
+std::shared_ptr<PlainAnimation> readPointCache(const std::string &folder);
+
+/// Moved and scaled to fit the cube -1 ... 1.
+PlainAnimation normalised(const PlainAnimation &animation);
 
 /// 100 * |v - w| / |v - mean of the frame|, Frobenius, in plain double.
 double kgErrorPercent(const model::FrameSource &reference, const model::FrameSource &test);
