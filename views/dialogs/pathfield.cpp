@@ -21,6 +21,25 @@ QString droppedPath(const QMimeData *data)
     return {};
 }
 
+QString withEnding(const QString &path, const QString &ending)
+{
+    return path.isEmpty() || path.endsWith(ending, Qt::CaseInsensitive) ? path : path + ending;
+}
+
+QString newFileProblem(const QString &path)
+{
+    const QFileInfo file(path);
+    if (path.isEmpty())
+        return PathField::tr("Name the output file.");
+    if (file.isDir())
+        return PathField::tr("The output file is a folder.");
+    if (!QFileInfo(file.absolutePath()).isDir())
+        return PathField::tr("The folder of the output file does not exist.");
+    if (!QFileInfo(file.absolutePath()).isWritable())
+        return PathField::tr("You may not write to the folder of the output file.");
+    return {};
+}
+
 PathField::PathField(const QString &name, Picks picks, QWidget *parent)
     : QWidget(parent)
     , mName(name)

@@ -62,6 +62,12 @@ private:
 
 Q_DECLARE_OPERATORS_FOR_FLAGS(PathField::Picks)
 
+/// `path` with `ending` (".anim"), which is appended if it is not there; empty stays empty.
+QString withEnding(const QString &path, const QString &ending);
+
+/// Why no file can be written at `path`, as a sentence; empty if it can (it may exist).
+QString newFileProblem(const QString &path);
+
 /// The first local file or folder of what is dragged; empty if there is none.
 QString droppedPath(const QMimeData *data);
 

@@ -37,11 +37,6 @@ constexpr int ReadDelayMilliseconds = 300;
 
 enum Fact { Format, Frames, Vertices, Triangles, BoxSize, RawSize };
 
-QString withEnding(const QString &path)
-{
-    return path.endsWith(QLatin1String(".anim"), Qt::CaseInsensitive) ? path : path + QStringLiteral(".anim");
-}
-
 /// Beside the source, and never the source itself.
 QString proposedOutputFor(const FoundSource &found)
 {
@@ -419,14 +414,12 @@ QString PrepareDialog::problem() const
         return mFrameRate->problem();
     if (!mCompression->problem().isEmpty())
         return mCompression->problem();
-    if (mOutput->path().isEmpty())
-        return tr("Name the output file.");
-    const QFileInfo output(withEnding(mOutput->path()));
-    if (output.isDir())
-        return tr("The output file is a folder.");
-    if (!QFileInfo(output.absolutePath()).isDir())
-        return tr("The folder of the output file does not exist.");
-    return {};
+    return newFileProblem(outputPath());
+}
+
+QString PrepareDialog::outputPath() const
+{
+    return withEnding(mOutput->path(), QStringLiteral(".anim"));
 }
 
 void PrepareDialog::updateEncodeButton()
@@ -439,8 +432,7 @@ void PrepareDialog::updateEncodeButton()
     mEncode->setToolTip(reason);
     if (isEncoding())
         mMessage->showHint({});
-    else if (reason.isEmpty() && QFileInfo::exists(withEnding(mOutput->path())) &&
-             !mTries->hasWritten(withEnding(mOutput->path())))
+    else if (reason.isEmpty() && QFileInfo::exists(outputPath()) && !mTries->hasWritten(outputPath()))
         mMessage->showHint(tr("The output file exists. You will be asked before it is replaced."));
     else
         mMessage->showHint(reason);
@@ -460,7 +452,7 @@ bool PrepareDialog::mayOverwrite(const QString &output)
 
 void PrepareDialog::encode()
 {
-    const QString output = withEnding(mOutput->path());
+    const QString output = outputPath();
     if (!problem().isEmpty() || isEncoding() || !mayOverwrite(output))
         return;
     saveSettings();

@@ -68,6 +68,7 @@ private:
     void proposeOutput();
     void showResolutionMeaning();
 
+    QString outputPath() const;
     QString problem() const;
     void updateEncodeButton();
     bool mayOverwrite(const QString &output);

@@ -4,9 +4,9 @@
 #include "views/dialogs/compressionfields.h"
 #include "views/dialogs/normalisationchoice.h"
 #include "views/dialogs/quantitytext.h"
+#include "views/dialogs/showinfolder.h"
 
 #include <QDateTime>
-#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -15,7 +15,6 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QUrl>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -52,11 +51,6 @@ QString psnrText(double decibel)
 }
 
 } // namespace
-
-void showInFolder(const QString &path)
-{
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath()));
-}
 
 TriesPanel::TriesPanel(QWidget *parent)
     : QWidget(parent)
@@ -111,7 +105,7 @@ TriesPanel::TriesPanel(QWidget *parent)
     connect(mOpen, &QPushButton::clicked, this,
             [this] { emit openRequested(mTries[std::size_t(mTable->currentRow())].report.order.output); });
     connect(mShowInFolder, &QPushButton::clicked, this,
-            [this] { showInFolder(mTries[std::size_t(mTable->currentRow())].report.order.output); });
+            [this] { views::showInFolder(mTries[std::size_t(mTable->currentRow())].report.order.output); });
     showSelected();
 }
 

@@ -49,7 +49,4 @@ private:
     QPushButton *mShowInFolder;
 };
 
-/// Opens the file manager on the folder of `path`, with the file selected where the desktop can do that.
-void showInFolder(const QString &path);
-
 } // namespace views

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/error.h"
+#include "model/base/progress.h"
+#include "views/scene/framedata.h"
+
+#include <QImage>
+#include <QString>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace views {
+
+/// Writes a picture as PNG through QSaveFile: all or nothing. \error CannotOpen, CannotWrite
+model::Result<void> savePng(const QString &path, const QImage &picture);
+
+/// Draws a frame; called in a worker; nothing if the work was cancelled meanwhile, a null image if there is not enough
+/// memory for it.
+using DrawFrame = std::function<std::optional<QImage>(const FrameDataPtr &, const model::Progress &)>;
+
+/// Writes FOLDER/frame_0001.png and so on, one for each of `order`. Makes the folder if need be; on an error or a
+/// cancel removes what it wrote, and only that. \param order  frames in the order of the pictures; each below
+/// source->frameCount() \error CannotOpen, CannotWrite, OutOfMemory, Cancelled
+model::Result<void> savePictures(const QString &folder, const model::FrameSourcePtr &source,
+                                 const std::vector<std::uint32_t> &order, const DrawFrame &draw,
+                                 const model::Progress &progress);
+
+} // namespace views
