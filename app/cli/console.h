@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/error.h"
+#include "model/base/progress.h"
+
+#include <QJsonObject>
+#include <QString>
+
+#include <string>
+
+namespace cli {
+
+/// What the program returns to its caller.
+enum class ExitCode : int { Ok = 0, Usage = 2, BadInput = 3, InputOutput = 4, Limit = 5, Interrupted = 130 };
+
+ExitCode exitCodeOf(const model::Error &error);
+
+/// The program's two streams: data go to standard output, everything meant for a person's eyes while waiting to
+/// standard error. SIGINT and SIGTERM cancel the work through progress(). One per program run.
+class Console
+{
+public:
+    Console();
+
+    void setJson(bool json) { mJson = json; }
+    bool isJson() const { return mJson; }
+    void setQuiet(bool quiet) { mQuiet = quiet; }
+
+    /// For the work that `label` names ("Encoding"): draws a bar while it runs, on a terminal only.
+    model::Progress progress(const std::string &label);
+    /// Wipes the bar.
+    void endProgress();
+
+    /// A line on standard error, unless quiet.
+    void note(const QString &text);
+    /// A line on standard error, always.
+    void error(const QString &text);
+    /// A line of data on standard output.
+    void line(const QString &text);
+    void json(const QJsonObject &object);
+
+    /// Writes out what is buffered. \returns false if standard output could not take it all (a full disk, a closed
+    /// pipe)
+    bool flush();
+
+private:
+    bool mJson = false;
+    bool mQuiet = false;
+    bool mHasTerminal;
+    bool mBarDrawn = false;
+    model::Progress mWork;
+};
+
+} // namespace cli

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "model/io/animationwriter.h"
+
+#include <QFileInfo>
+
+namespace cli {
+
+namespace {
+
+struct Decode
+{
+    InputOptions input;
+    std::string output, mesh;
+    model::io::MeshFormat format = model::io::MeshFormat::Obj;
+
+    model::Result<void> run(Console &console) const;
+};
+
+model::Result<model::io::MeshFormat> meshFormatOf(const QString &path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (ending == QLatin1String("obj"))
+        return model::io::MeshFormat::Obj;
+    if (ending == QLatin1String("off"))
+        return model::io::MeshFormat::Off;
+    if (ending == QLatin1String("ply"))
+        return model::io::MeshFormat::Ply;
+    return model::fail(model::ErrorCode::BadSetting, "--mesh", path.toStdString(), ".obj, .off, .ply");
+}
+
+model::Result<void> Decode::run(Console &console) const
+{
+    const QString target = fromUtf8(output);
+    const bool isCache = QFileInfo(target).suffix().compare(QLatin1String("pc2"), Qt::CaseInsensitive) == 0;
+    model::io::MeshFormat baseFormat = format;
+    if (!mesh.empty()) {
+        const auto known = meshFormatOf(fromUtf8(mesh));
+        if (!known)
+            return model::fail(known.error());
+        baseFormat = *known;
+    }
+    const auto source = input.read(console.progress("Reading"));
+    if (!source)
+        return model::fail(source.error());
+    const auto written = isCache ? model::io::writePc2(target, **source, console.progress("Writing"))
+                                 : model::io::writeFrames(target, **source, format, console.progress("Writing"));
+    if (!written)
+        return written;
+    if (!mesh.empty()) {
+        const auto saved =
+            model::io::writeMesh(fromUtf8(mesh), (*source)->frame(0), (*source)->connectivity(), baseFormat);
+        if (!saved)
+            return saved;
+    }
+    if (console.isJson())
+        console.json({{"output", target},
+                      {"frames", double((*source)->frameCount())},
+                      {"vertices", double((*source)->vertexCount())}});
+    else
+        console.note(QStringLiteral("%1: %2 frames, %3 vertices")
+                         .arg(target)
+                         .arg((*source)->frameCount())
+                         .arg((*source)->vertexCount()));
+    return {};
+}
+
+} // namespace
+
+void addDecode(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("decode", "Turn an .anim file into mesh files or a point cache");
+    const auto options = std::make_shared<Decode>();
+    options->input.addTo(*command);
+    command
+        ->add_option("-o,--output", options->output,
+                     "A folder for the frames, or a .pc2 file (float32 positions in the decoder's order of vertices)")
+        ->required()
+        ->type_name("DIR|FILE.pc2");
+    const std::map<std::string, model::io::MeshFormat> formats{
+        {"obj", model::io::MeshFormat::Obj}, {"off", model::io::MeshFormat::Off}, {"ply", model::io::MeshFormat::Ply}};
+    command->add_option("--format", options->format, "Format of the frames (default: obj)")
+        ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case).description(""))
+        ->type_name("obj|off|ply");
+    command->add_option("--mesh", options->mesh, "Also write the first frame, as the base mesh of a point cache")
+        ->type_name("FILE");
+    command->footer("Examples:\n"
+                    "  sandreel-cli decode walk.anim -o frames/ --format ply\n"
+                    "  sandreel-cli decode walk.anim -o walk.pc2 --mesh walk.obj");
+    command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+}
+
+} // namespace cli

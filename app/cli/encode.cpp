@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "model/animation/editedframes.h"
+#include "model/animation/metrics.h"
+#include "model/codec/animationcodec.h"
+#include "model/io/animfile.h"
+
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QJsonValue>
+
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+struct Encode
+{
+    InputOptions input;
+    NormaliseOption normalise;
+    model::CompressionSettings settings;
+    std::string output, permutation, name;
+    bool measure = false;
+
+    model::Result<void> run(Console &console) const;
+    model::Result<void> writePermutation(const std::vector<std::uint32_t> &order) const;
+    model::FrameSourcePtr named(model::FrameSourcePtr source) const;
+};
+
+/// The animation under the name and rate that were asked for.
+model::FrameSourcePtr Encode::named(model::FrameSourcePtr source) const
+{
+    std::string title = !name.empty() ? name : source->name();
+    if (title.empty())
+        title = QFileInfo(fromUtf8(input.path)).completeBaseName().toStdString();
+    const double rate = input.frameRate > 0 ? input.frameRate : source->frameRate();
+    return std::make_shared<model::EditedFrames>(source, model::TimeMap::identity(source->frameCount()),
+                                                 model::Similarity(), rate, std::move(title));
+}
+
+model::Result<void> Encode::writePermutation(const std::vector<std::uint32_t> &order) const
+{
+    std::string text;
+    for (const std::uint32_t index : order)
+        text += std::to_string(index) + '\n';
+    return model::io::saveBytes(fromUtf8(permutation),
+                                {reinterpret_cast<const std::uint8_t *>(text.data()), text.size()});
+}
+
+model::Result<void> Encode::run(Console &console) const
+{
+    const auto read = input.read(console.progress("Reading"));
+    if (!read)
+        return model::fail(read.error());
+    const auto normalised = normalise.apply(*read, console.progress("Measuring"));
+    if (!normalised)
+        return model::fail(normalised.error());
+    const model::FrameSourcePtr source = named(*normalised);
+
+    QElapsedTimer clock;
+    clock.start();
+    auto encoded = model::codec::encodeAnimation(*source, settings, console.progress("Encoding"));
+    if (!encoded)
+        return model::fail(encoded.error());
+    const double seconds = double(clock.elapsed()) / 1000;
+    const double bytes = double(encoded->bytes.size());
+
+    QJsonObject json{{"output", fromUtf8(output)},
+                     {"bytes", bytes},
+                     {"raw_bytes", rawBytes(*source)},
+                     {"ratio", rawBytes(*source) / bytes},
+                     {"bpfv", bitsPerFrameAndVertex(bytes, *source)},
+                     {"vertices", double(source->vertexCount())},
+                     {"triangles", double(source->connectivity().triangles.size())},
+                     {"frames", double(source->frameCount())},
+                     {"encode_seconds", seconds}};
+    QStringList text{QStringLiteral("%1: %2, %3 times smaller than float32, %4 bits per frame and vertex")
+                         .arg(fromUtf8(output), sizeText(bytes))
+                         .arg(rawBytes(*source) / bytes, 0, 'f', 1)
+                         .arg(bitsPerFrameAndVertex(bytes, *source), 0, 'f', 3)};
+
+    if (measure) {
+        const auto decoded = model::codec::decodeAnimation(encoded->bytes);
+        if (!decoded)
+            return model::fail(decoded.error());
+        const auto lost =
+            model::compareAnimations(*source, **decoded, encoded->permutation, console.progress("Comparing"));
+        if (!lost)
+            return model::fail(lost.error());
+        json["kg_error_percent"] = lost->kgErrorPercent;
+        json["rmse"] = lost->rmse;
+        json["psnr_db"] = std::isfinite(lost->psnrDb) ? QJsonValue(lost->psnrDb) : QJsonValue();
+        json["max_vertex_error"] = lost->maxVertexError;
+        text << QStringLiteral("KG error %1 %, RMSE %2, largest vertex error %3")
+                    .arg(lost->kgErrorPercent, 0, 'g', 4)
+                    .arg(lost->rmse, 0, 'g', 4)
+                    .arg(lost->maxVertexError, 0, 'g', 4);
+    }
+
+    if (const auto saved = model::io::saveBytes(fromUtf8(output), encoded->bytes); !saved)
+        return model::fail(saved.error());
+    if (!permutation.empty())
+        if (const auto written = writePermutation(encoded->permutation); !written)
+            return model::fail(written.error());
+    if (console.isJson())
+        console.json(json);
+    else
+        for (const QString &line : text)
+            console.line(line);
+    return {};
+}
+
+} // namespace
+
+void addEncode(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("encode", "Turn an animation into a small .anim file");
+    const auto options = std::make_shared<Encode>();
+    options->input.addTo(*command);
+    command->add_option("-o,--output", options->output, "The .anim file to write")->required()->type_name("FILE");
+    const std::map<std::string, model::CodecId> codecs{{"pca", model::CodecId::Pca}};
+    command->add_option("--codec", options->settings.codec, "How to encode")
+        ->transform(CLI::CheckedTransformer(codecs, CLI::ignore_case).description(""))
+        ->type_name("pca");
+    using Settings = model::CompressionSettings;
+    command
+        ->add_option("--basis", options->settings.basisSize,
+                     "Basis trajectories to keep: more is larger and more exact")
+        ->check(CLI::Range(Settings::MinBasisSize, Settings::MaxBasisSize))
+        ->type_name("K")
+        ->capture_default_str();
+    command->add_option("--resolution", options->settings.resolution, "Quantisation steps per unit of length")
+        ->check(CLI::Range(Settings::MinResolution, Settings::MaxResolution))
+        ->type_name("R")
+        ->capture_default_str();
+    options->normalise.addTo(*command, "Fit the first frame, or all of them, into the cube -1..1 (default: none)");
+    command->add_option("--fps", options->input.frameRate, "Frames per second; a scene is sampled at this rate")
+        ->check(CLI::Range(0.001, 1000.0))
+        ->type_name("N");
+    command->add_option("--name", options->name, "Name of the animation (default: the input's)")->type_name("TEXT");
+    command
+        ->add_option(
+            "--permutation", options->permutation,
+            "Also write the order of the vertices: a line for each decoded vertex, with its index in the input")
+        ->type_name("FILE");
+    command->add_flag("--measure", options->measure, "Decode again and print the errors");
+    command->footer("Examples:\n"
+                    "  sandreel-cli encode frames/ -o walk.anim\n"
+                    "  sandreel-cli encode walk.pc2 --base-mesh walk.obj -o walk.anim --basis 40 --measure\n"
+                    "  sandreel-cli encode robot.glb --animation 2 --fps 30 --normalize all -o robot.anim");
+    command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+}
+
+} // namespace cli

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "model/codec/animationcodec.h"
+
+#include <QJsonArray>
+
+namespace cli {
+
+namespace {
+
+struct Info
+{
+    InputOptions input;
+
+    model::Result<void> run(Console &console) const;
+};
+
+QJsonArray jsonOf(model::Vec3f v)
+{
+    return {double(v.x), double(v.y), double(v.z)};
+}
+
+QString textOf(model::Vec3f v)
+{
+    return QStringLiteral("(%1, %2, %3)")
+        .arg(double(v.x), 0, 'g', 5)
+        .arg(double(v.y), 0, 'g', 5)
+        .arg(double(v.z), 0, 'g', 5);
+}
+
+/// What an .anim file adds to what every animation has.
+model::Result<void> addEncoding(const model::codec::DecodedAnimation &anim, QJsonObject &json, QStringList &text)
+{
+    const double bytes = double(anim.encodedBytes());
+    const auto chunks = model::codec::listChunks(anim.encoded());
+    if (!chunks)
+        return model::fail(chunks.error());
+    QJsonObject sizes;
+    QStringList sizeTexts;
+    for (const model::codec::ChunkInfo &chunk : *chunks) {
+        const QString tag = fromUtf8(chunk.tag);
+        sizes[tag] = sizes[tag].toDouble() + double(chunk.bytes);
+        sizeTexts << QStringLiteral("%1 %2").arg(tag).arg(chunk.bytes);
+    }
+    json["bytes"] = bytes;
+    json["ratio"] = rawBytes(anim) / bytes;
+    json["bpfv"] = bitsPerFrameAndVertex(bytes, anim);
+    json["codec"] = "pca";
+    json["basis"] = double(anim.basisSize());
+    json["resolution"] = anim.settings().resolution;
+    json["creator"] = fromUtf8(anim.creator());
+    json["chunks"] = sizes;
+    text << QStringLiteral("file          %1, %2 times smaller than float32, %3 bits per frame and vertex")
+                .arg(sizeText(bytes))
+                .arg(rawBytes(anim) / bytes, 0, 'f', 1)
+                .arg(bitsPerFrameAndVertex(bytes, anim), 0, 'f', 3)
+         << QStringLiteral("codec         pca, basis %1, resolution %2")
+                .arg(anim.basisSize())
+                .arg(anim.settings().resolution)
+         << QStringLiteral("creator       %1").arg(fromUtf8(anim.creator()))
+         << QStringLiteral("chunks        %1 (bytes)").arg(sizeTexts.join(QStringLiteral(", ")));
+    return {};
+}
+
+model::Result<void> Info::run(Console &console) const
+{
+    const auto read = input.read(console.progress("Reading"));
+    if (!read)
+        return model::fail(read.error());
+    const model::FrameSource &source = **read;
+    const auto box = model::boundingBoxOfAll(source, console.progress("Measuring"));
+    if (!box)
+        return model::fail(box.error());
+
+    QJsonObject json{{"name", fromUtf8(source.name())},
+                     {"vertices", double(source.vertexCount())},
+                     {"triangles", double(source.connectivity().triangles.size())},
+                     {"frames", double(source.frameCount())},
+                     {"frame_rate", source.frameRate()},
+                     {"duration_seconds", source.frameCount() / source.frameRate()},
+                     {"raw_bytes", rawBytes(source)},
+                     {"box", QJsonObject{{"min", jsonOf(box->min)}, {"max", jsonOf(box->max)}}}};
+    QStringList text{
+        QStringLiteral("name          %1").arg(fromUtf8(source.name())),
+        QStringLiteral("vertices      %1").arg(source.vertexCount()),
+        QStringLiteral("triangles     %1").arg(source.connectivity().triangles.size()),
+        QStringLiteral("frames        %1 at %2 per second, %3 s")
+            .arg(source.frameCount())
+            .arg(source.frameRate())
+            .arg(source.frameCount() / source.frameRate(), 0, 'f', 2),
+        QStringLiteral("box           %1 .. %2").arg(textOf(box->min), textOf(box->max)),
+        QStringLiteral("as float32    %1").arg(sizeText(rawBytes(source))),
+    };
+    if (const auto *anim = dynamic_cast<const model::codec::DecodedAnimation *>(&source))
+        if (const auto added = addEncoding(*anim, json, text); !added)
+            return added;
+
+    if (console.isJson())
+        console.json(json);
+    else
+        for (const QString &line : text)
+            console.line(line);
+    return {};
+}
+
+} // namespace
+
+void addInfo(CLI::App &app, Run &run)
+{
+    CLI::App *command = app.add_subcommand("info", "Say what an animation holds");
+    const auto options = std::make_shared<Info>();
+    options->input.addTo(*command);
+    command->footer("Examples:\n"
+                    "  sandreel-cli info walk.anim\n"
+                    "  sandreel-cli --json info frames/");
+    command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+}
+
+} // namespace cli
