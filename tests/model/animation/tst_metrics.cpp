@@ -195,6 +195,18 @@ private slots:
         QCOMPARE(result->worstVertex, 0u);
     }
 
+    /// Of equally bad vertices and frames the first is named, whatever order the test animation has them in.
+    void theFirstOfEqualsIsTheWorst()
+    {
+        const Sequence reference = points(3, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+        const Sequence test = points(3, {{2, 0, 1}, {1, 0, 1}, {0, 0, 0}, {2, 0, 1}, {1, 0, 1}, {0, 0, 0}});
+        const auto result = compareAnimations(reference, test, Permutation{2, 1, 0});
+        QVERIFY(result.has_value());
+        QCOMPARE(result->worstFrame, 0u);
+        QCOMPARE(result->worstVertex, 1u);
+        QCOMPARE(result->frames[1].worstVertex, 1u);
+    }
+
     /// One vertex has no spread: its denominator counts as 1.
     void zeroDenominators()
     {
