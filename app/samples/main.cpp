@@ -16,10 +16,11 @@ namespace samples {
 
 std::span<const Sample> allSamples()
 {
+    using model::CodecId;
     static constexpr std::array<Sample, 3> Samples{{
-        {"cloth", "a cloth that falls over a ball", makeCloth},
-        {"walker", "a creature walking on the spot", makeWalker},
-        {"jellyfish", "a jellyfish that pulses", makeJellyfish},
+        {"cloth", "a cloth that falls over a ball", makeCloth, {CodecId::Pca, 40, 1500}},
+        {"walker", "a creature walking on the spot", makeWalker, {CodecId::Pca, 20, 1500}},
+        {"jellyfish", "a jellyfish that pulses", makeJellyfish, {CodecId::Pca, 20, 2000}},
     }};
     return Samples;
 }
@@ -27,9 +28,6 @@ std::span<const Sample> allSamples()
 } // namespace samples
 
 namespace {
-
-/// What the bundled files are encoded with: no difference to the eye.
-constexpr model::CompressionSettings BundledSettings{model::CodecId::Pca, 40, 4000};
 
 int report(const model::Error &error)
 {
@@ -69,7 +67,7 @@ int main(int argc, char **argv)
                 !written)
                 return report(written.error());
         if (!animFile.empty()) {
-            const auto encoded = model::codec::encodeAnimation(sequence, BundledSettings);
+            const auto encoded = model::codec::encodeAnimation(sequence, sample.settings);
             if (!encoded)
                 return report(encoded.error());
             if (const auto saved = model::io::saveBytes(QString::fromStdString(animFile), encoded->bytes); !saved)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/animation/compressionsettings.h"
 #include "model/animation/sequence.h"
 
 #include <span>
@@ -13,6 +14,7 @@ struct Sample
     const char *name;
     const char *description;
     model::Sequence (*make)();
+    model::CompressionSettings settings; ///< of the bundled file: small, and no difference to the eye
 };
 
 /// A square cloth that falls over a ball and settles in hanging folds. Two components, one a disc.
