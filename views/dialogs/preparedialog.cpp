@@ -95,6 +95,10 @@ PrepareDialog::PrepareDialog(QWidget *parent)
 PrepareDialog::~PrepareDialog()
 {
     saveSettings();
+    // A field that loses the focus on its way out must not reach a dialog that is half gone.
+    const QList<QWidget *> parts = findChildren<QWidget *>();
+    for (QWidget *part : parts)
+        part->disconnect(this);
 }
 
 QWidget *PrepareDialog::makeSourcePart()
