@@ -36,6 +36,8 @@ int runTests(int argc, char **argv)
     for (int i = 0; i < argc; ++i)
         if (i != 1 || wanted.empty())
             arguments << QString::fromLocal8Bit(argv[i]);
+    // The handler would attach a debugger and wait for it; a crash should fail at once.
+    arguments << QStringLiteral("-nocrashhandler");
     int failures = 0;
     for (const auto &[name, make] : registry())
         if (wanted.empty() || name == wanted)
