@@ -13,6 +13,8 @@ constexpr Vec3f NoNormal{0, 0, 1};
 constexpr float SmallestSquare = 1e-30f;
 constexpr float LargestSquare = 1e30f;
 
+constexpr float SmallSide = 1e-15f;
+
 struct Vec3d
 {
     double x = 0, y = 0, z = 0;
@@ -54,17 +56,18 @@ void computeVertexNormals(std::span<const Vec3f> positions, std::span<const Tria
         normals[b] = normals[b] + n;
         normals[c] = normals[c] + n;
     }
-    bool needsDouble = false;
+    bool needsDouble = false, hasZero = false;
     for (Vec3f &n : normals) {
         const float square = dot(n, n);
         if (square >= SmallestSquare && square <= LargestSquare) {
             n = n * (1 / std::sqrt(square));
         } else {
-            needsDouble = needsDouble || n != Vec3f{};
+            (n == Vec3f{} ? hasZero : needsDouble) = true;
             n = NoNormal;
         }
     }
-    if (needsDouble)
+    // A mesh may be so small that every product vanishes.
+    if (needsDouble || (hasZero && boundingBox(positions).longestSide() < SmallSide))
         computeInDouble(positions, triangles, normals);
 }
 

@@ -40,7 +40,7 @@ void Player::setSource(model::FrameSourcePtr source)
         return;
     const model::FrameSourcePtr before = std::exchange(mSource, std::move(source));
     mAhead.reset();
-    mIsAheadWelcome = false;
+    mAheadUse = Ahead::Drop;
     mWorker->cancel();
     if (!mSource)
         mCurrent.reset();
@@ -61,7 +61,7 @@ void Player::update(Change change)
     change();
     const bool moved = mPlayback.frame() != before.frame();
     if (moved)
-        mIsAheadWelcome = false;
+        mAheadUse = Ahead::Drop;
     if (mPlayback.isPlaying() && !before.isPlaying())
         mClock.start();
     requestFrame();
@@ -186,6 +186,7 @@ void Player::tick()
     const bool moved = mPlayback.frame() != before.frame();
     if (moved) {
         mAwaitingShown = true;
+        noteOvertaking(before);
         requestFrame();
     }
     scheduleTick();
@@ -237,8 +238,21 @@ void Player::requestAhead()
     const bool isThere = mAhead && mAhead->source == mSource && mAhead->frame == frame;
     if (isThere || frame == mPlayback.frame())
         return;
-    mIsAheadWelcome = true;
+    mAheadUse = Ahead::Keep;
+    mAheadFrame = frame;
     mWorker->request(mSource, frame, FramePurpose::Ahead);
+}
+
+void Player::noteOvertaking(const model::Playback &before)
+{
+    constexpr std::uint64_t Farthest = 100; // steps of one tick; more means that the machine slept
+    for (std::uint64_t steps = 1; steps < Farthest; ++steps) {
+        const std::uint32_t passed = before.frameAfter(steps);
+        if (passed == mPlayback.frame())
+            return;
+        if (passed == mAheadFrame && mAheadUse == Ahead::Keep)
+            mAheadUse = Ahead::ShowLate;
+    }
 }
 
 void Player::receive(const FrameDataPtr &frame, FramePurpose purpose)
@@ -249,11 +263,10 @@ void Player::receive(const FrameDataPtr &frame, FramePurpose purpose)
     const bool isWaiting = !mCurrent || mCurrent->source != mSource || mCurrent->frame != mPlayback.frame();
     if (isDue || (purpose == FramePurpose::Wanted && isWaiting)) {
         show(frame); // if not due, scrubbing or play has gone on: still better than a picture that stands
-    } else if (purpose == FramePurpose::Ahead && mIsAheadWelcome) {
-        if (isWaiting)
-            show(frame);
-        else
-            mAhead = frame;
+    } else if (purpose == FramePurpose::Ahead && mAheadUse == Ahead::Keep) {
+        mAhead = frame;
+    } else if (purpose == FramePurpose::Ahead && mAheadUse == Ahead::ShowLate && isWaiting) {
+        show(frame);
     }
 }
 

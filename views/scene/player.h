@@ -69,6 +69,7 @@ private:
     void show(const FrameDataPtr &frame);
     void requestFrame();
     void requestAhead();
+    void noteOvertaking(const model::Playback &before);
     void tick();
     void scheduleTick();
     /// Runs `change` on the playback and tells of what became different.
@@ -81,8 +82,11 @@ private:
     FrameDataPtr mAhead; ///< made before it is due
     bool mScrubbing = false;
     bool mResumeAfterScrub = false;
-    bool mIsAheadWelcome = false; ///< false after a jump: what is made ahead will not be due
-    bool mAwaitingShown = false;  ///< EveryFrame: the present frame is not on the screen yet
+    /// What is to become of the frame that is being made ahead: kept until it is due; shown late, since play has
+    /// overtaken it and nothing newer is there; or nothing, after a jump.
+    enum class Ahead { Keep, ShowLate, Drop } mAheadUse = Ahead::Drop;
+    std::uint32_t mAheadFrame = 0;
+    bool mAwaitingShown = false; ///< EveryFrame: the present frame is not on the screen yet
     QTimer mTimer;
     QElapsedTimer mClock;
     std::unique_ptr<FrameWorker> mWorker; ///< last: its thread ends before the rest goes
