@@ -70,6 +70,7 @@ std::size_t PcaAnimation::memoryBytes() const
 std::uint64_t PcaAnimation::neededBytes(const Header &header, std::uint32_t rank)
 {
     return sizeof(PcaAnimation) + std::uint64_t(header.triangleCount) * sizeof(Triangle) +
+           std::uint64_t(header.vertexCount) * sizeof(Vec3f) +
            std::uint64_t(header.frameCount) * 3 * (sizeof(double) + sizeof(std::int64_t) + rank * sizeof(float)) +
            tileCount(header.vertexCount) * TileVertices * rank * sizeof(float);
 }

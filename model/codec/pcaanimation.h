@@ -34,7 +34,8 @@ public:
     std::uint64_t encodedBytes() const override { return mFile.size(); }
     const Bytes &encoded() const override { return mFile; }
 
-    /// Bytes that an animation of this size will hold, its file not counted; for refusing a hostile file in time.
+    /// Bytes that an animation of this size will hold with one frame of it, its file not counted; for refusing a
+    /// hostile file in time.
     static std::uint64_t neededBytes(const Header &header, std::uint32_t rank);
 
 private:

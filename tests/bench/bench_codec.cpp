@@ -111,8 +111,8 @@ void rate(benchmark::State &state, const std::string &name, bool normalise)
 
 void allRates(benchmark::internal::Benchmark *benchmark)
 {
-    for (const int resolution : {100, 1000, 10000, 100000})
-        for (const int basisSize : {10, 20, 30, 50})
+    for (const int resolution : {300, 1000, 3000, 10000, 100000})
+        for (const int basisSize : {10, 20, 30, 40, 50})
             benchmark->Args({basisSize, resolution});
     benchmark->Unit(benchmark::kMillisecond)->Iterations(1);
 }
