@@ -7,7 +7,9 @@
 #include "model/io/filebuffer.h"
 #include "model/io/framefolder.h"
 #include "model/io/meshfile.h"
+#include "model/io/pointcache.h"
 #include "model/io/positionmemory.h"
+#include "model/io/scenereader.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -59,6 +61,10 @@ Result<FrameSourcePtr> readAnimation(const QString &path, const ReadOptions &opt
         if (meshEndings().contains(ending))
             return readFrames({path}, options.frameRate > 0 ? options.frameRate : DefaultFrameRate, nameOf(path),
                               progress);
+        if (pointCacheEndings().contains(ending))
+            return readPointCache(path, options.baseMesh, options.frameRate, nameOf(path), progress);
+        if (sceneEndings().contains(ending))
+            return readScene(path, options.frameRate, options.animationIndex, nameOf(path), progress);
         if (ending == QStringLiteral("anim"))
             return readAnim(path, options, progress);
         return failIn(path, ErrorCode::UnknownFormat, ending.toStdString());
@@ -82,7 +88,7 @@ Result<TriangleMesh> readMesh(const QString &path)
 
 QStringList readableEndings()
 {
-    return meshEndings() + QStringList{QStringLiteral("anim")};
+    return meshEndings() + pointCacheEndings() + sceneEndings() + QStringList{QStringLiteral("anim")};
 }
 
 } // namespace model::io

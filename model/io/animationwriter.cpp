@@ -54,9 +54,10 @@ public:
         const QString folder = QDir(mFolder).absolutePath();
         mMadeFolder = !QFile::exists(folder);
         if (!QDir().mkpath(folder))
-            return failIn(mFolder, ErrorCode::CannotOpen, SANDREEL_PHRASE("the folder cannot be made"));
+            return failIn(mFolder, ErrorCode::CannotOpen, QT_TRANSLATE_NOOP("ErrorText", "the folder cannot be made"));
         if (!QDir(folder).entryList({QStringLiteral("*.") + mEnding}, QDir::Files).isEmpty())
-            return failIn(mFolder, ErrorCode::CannotWrite, SANDREEL_PHRASE("the folder holds frames already"));
+            return failIn(mFolder, ErrorCode::CannotWrite,
+                          QT_TRANSLATE_NOOP("ErrorText", "the folder holds frames already"));
         return {};
     }
 

@@ -14,6 +14,23 @@ QString translate(const char *text)
     return QCoreApplication::translate("ErrorText", text);
 }
 
+/// Phrases that other folders put into errors: those of model/codec, which knows no Qt.
+[[maybe_unused]] constexpr const char *PhrasesOfOthers[] = {
+    QT_TRANSLATE_NOOP("ErrorText", "vertex %1"),
+    QT_TRANSLATE_NOOP("ErrorText", "vertex %1 of frame %2"),
+    QT_TRANSLATE_NOOP("ErrorText", "triangle %1"),
+    QT_TRANSLATE_NOOP("ErrorText", "memory"),
+    QT_TRANSLATE_NOOP("ErrorText", "format version"),
+    QT_TRANSLATE_NOOP("ErrorText", "vertex count"),
+    QT_TRANSLATE_NOOP("ErrorText", "triangle count"),
+    QT_TRANSLATE_NOOP("ErrorText", "frame count"),
+    QT_TRANSLATE_NOOP("ErrorText", "rows per stream"),
+    QT_TRANSLATE_NOOP("ErrorText", "stream count"),
+    QT_TRANSLATE_NOOP("ErrorText", "chunk tag"),
+    QT_TRANSLATE_NOOP("ErrorText", "letters and digits"),
+    QT_TRANSLATE_NOOP("ErrorText", "at most the bytes left"),
+};
+
 /// What happened, with places for the arguments of the code.
 const char *rowOf(ErrorCode code)
 {
@@ -32,8 +49,8 @@ const char *rowOf(ErrorCode code)
         return QT_TRANSLATE_NOOP("ErrorText", "The mesh has no vertices.");
     case ErrorCode::VertexCountDiffers:
         return QT_TRANSLATE_NOOP("ErrorText",
-                                 "This mesh has %1 vertices, but %3 has %2. All frames of an animation need "
-                                 "the same vertices and faces.");
+                                 "There are %1 vertices here, but %2 in %3. All frames of an animation and its "
+                                 "base mesh need the same vertices.");
     case ErrorCode::FacesDiffer:
         return QT_TRANSLATE_NOOP("ErrorText",
                                  "Triangle %1 differs from that in %2. All frames of an animation need the "
@@ -102,14 +119,26 @@ const char *rowOf(ErrorCode code)
     return "";
 }
 
-/// Fixed phrases are translated, also before a number ("vertex 12"); names and numbers stay.
+/// Fixed phrases are translated, also around numbers ("vertex 12 of frame 3" is "vertex %1 of frame %2" to
+/// translators); names and numbers alone stay.
 QString argumentText(const std::string &argument)
 {
-    static const QRegularExpression numbered(QStringLiteral("^(.*\\D) (\\d+)$"));
+    static const QRegularExpression number(QStringLiteral("\\d+"));
     const QString text = QString::fromStdString(argument);
-    if (const QRegularExpressionMatch match = numbered.match(text); match.hasMatch())
-        return translate((match.captured(1) + QStringLiteral(" %1")).toUtf8().constData()).arg(match.captured(2));
-    return argument.empty() ? QString() : translate(argument.c_str());
+    QString phrase = text;
+    QStringList numbers;
+    for (auto match = number.match(phrase); match.hasMatch();) {
+        numbers << match.captured();
+        const QString place = QStringLiteral("%%1").arg(numbers.size());
+        phrase.replace(match.capturedStart(), match.capturedLength(), place);
+        match = number.match(phrase, match.capturedStart() + place.size());
+    }
+    QString result = phrase.isEmpty() ? phrase : translate(phrase.toUtf8().constData());
+    if (result == phrase)
+        return text;
+    for (qsizetype i = numbers.size(); i > 0; --i)
+        result.replace(QStringLiteral("%%1").arg(i), numbers[i - 1]);
+    return result;
 }
 
 /// File, line and byte, as far as they are known.

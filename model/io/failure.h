@@ -6,10 +6,9 @@
 #include <QFileDevice>
 #include <QString>
 
-/// Marks a phrase that becomes an argument of an Error, so that errorText() finds its translation.
-#define SANDREEL_PHRASE(text) QT_TRANSLATE_NOOP("ErrorText", text)
-
 namespace model::io {
+
+// Arguments that are phrases are marked with QT_TRANSLATE_NOOP("ErrorText", ...), and errorText() translates them.
 
 /// fail(code, args...) about a file.
 template <class... Args>
@@ -23,6 +22,13 @@ template <class... Args>
 tl::unexpected<Error> failAtLine(std::uint64_t line, ErrorCode code, Args &&...args)
 {
     return fail(fail(code, std::forward<Args>(args)...).value().atLine(line));
+}
+
+/// fail(code, args...) at a byte of a binary file.
+template <class... Args>
+tl::unexpected<Error> failAtByte(std::uint64_t offset, ErrorCode code, Args &&...args)
+{
+    return fail(fail(code, std::forward<Args>(args)...).value().atByte(offset));
 }
 
 /// An error on its way up gets its file, unless it has one.

@@ -16,9 +16,10 @@ Result<void> openFile(QFile &file)
     if (!info.exists())
         return failIn(file.fileName(), ErrorCode::NotFound);
     if (info.isDir())
-        return failIn(file.fileName(), ErrorCode::CannotOpen, SANDREEL_PHRASE("it is a folder"));
+        return failIn(file.fileName(), ErrorCode::CannotOpen, QT_TRANSLATE_NOOP("ErrorText", "it is a folder"));
     if (!info.isFile())
-        return failIn(file.fileName(), ErrorCode::CannotOpen, SANDREEL_PHRASE("it is not an ordinary file"));
+        return failIn(file.fileName(), ErrorCode::CannotOpen,
+                      QT_TRANSLATE_NOOP("ErrorText", "it is not an ordinary file"));
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         return failIn(file.fileName(), ErrorCode::CannotOpen, file.errorString().toStdString());
     return {};
@@ -48,7 +49,7 @@ Result<std::string_view> FileBuffer::load(const QString &path, const Progress &p
         return fail(opened.error());
     const auto size = std::uint64_t(file.size());
     if (size > MaxFileBytes)
-        return failIn(path, ErrorCode::LimitExceeded, SANDREEL_PHRASE("the size of the file in bytes"),
+        return failIn(path, ErrorCode::LimitExceeded, QT_TRANSLATE_NOOP("ErrorText", "the size of the file in bytes"),
                       std::to_string(size), std::to_string(MaxFileBytes));
     if (size > mCapacity) {
         // A little more, so that frames of slightly growing length do not allocate each time.

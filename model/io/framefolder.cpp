@@ -62,9 +62,9 @@ Result<QStringList> frameFilesIn(const QString &folder)
     if (!info.exists())
         return failIn(folder, ErrorCode::NotFound);
     if (!info.isDir())
-        return failIn(folder, ErrorCode::CannotOpen, SANDREEL_PHRASE("it is not a folder"));
+        return failIn(folder, ErrorCode::CannotOpen, QT_TRANSLATE_NOOP("ErrorText", "it is not a folder"));
     if (!info.isReadable())
-        return failIn(folder, ErrorCode::CannotOpen, SANDREEL_PHRASE("no permission to read it"));
+        return failIn(folder, ErrorCode::CannotOpen, QT_TRANSLATE_NOOP("ErrorText", "no permission to read it"));
 
     const QDir directory(folder);
     std::vector<QStringList> files(std::size_t(meshEndings().size()));

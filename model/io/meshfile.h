@@ -3,8 +3,7 @@
 
 #include "model/base/error.h"
 #include "model/base/progress.h"
-#include "model/io/objreader.h"
-#include "model/mesh/trianglemesh.h"
+#include "model/io/parsedmesh.h"
 
 #include <optional>
 #include <span>
@@ -34,7 +33,8 @@ public:
     /// Memory for one call of parseNext(), to be used again.
     struct Scratch
     {
-        ObjMesh mesh;
+        ParsedMesh parsed;
+        std::vector<Vec3f> corners;
     };
 
     /// \param bytes  of the file; not needed afterwards
@@ -45,17 +45,25 @@ public:
     TriangleMesh takeMesh() { return std::move(mMesh); }
     const Connectivity &connectivity() const { return mMesh.connectivity; }
 
-    /// Parses another frame.
+    /// Parses another frame. STL corners make the vertices that they made in the first frame: one that moves apart is
+    /// FacesDiffer, two that meet stay two.
     /// \param positions  #V, written
     /// \error VertexCountDiffers, FaceCountDiffers, FacesDiffer, and those of the format's parser
     Result<void> parseNext(std::string_view bytes, std::span<Vec3f> positions, Scratch &scratch,
                            const Progress &progress = Progress()) const;
 
 private:
+    Result<void> parseNextStl(std::string_view bytes, std::span<Vec3f> positions, Scratch &scratch,
+                              const Progress &progress) const;
+    Result<void> compareFaces(const std::vector<Triangle> &triangles) const;
+    tl::unexpected<Error> failCountDiffers(ErrorCode code, std::size_t here, std::size_t first) const;
+    KnownFaces knownFaces() const { return {mFacesText, connectivity().vertexCount, mAnnouncedFaces}; }
+
     MeshKind mKind = MeshKind::Obj;
     std::string mFile;
     TriangleMesh mMesh;
-    std::string mObjFaces; ///< the text of the faces, if nothing else matters to them
+    std::string mFacesText; ///< if nothing else in the file matters to the faces
+    std::int64_t mAnnouncedFaces = 0;
 };
 
 } // namespace model::io

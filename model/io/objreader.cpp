@@ -10,14 +10,14 @@ namespace {
 class ObjParser
 {
 public:
-    ObjParser(std::string_view text, ObjMesh &mesh)
+    ObjParser(std::string_view text, ParsedMesh &mesh)
         : mCursor(text)
         , mMesh(mesh)
         , mPositions(mesh.mesh.positions)
         , mTriangles(mesh.mesh.connectivity.triangles)
     {}
 
-    Result<bool> parse(const Progress &progress, const ObjFaces &known)
+    Result<bool> parse(const Progress &progress, const KnownFaces &known)
     {
         constexpr unsigned LinesBetweenChecks = 1 << 16;
         for (unsigned line = 1; !mCursor.atEnd(); ++line) {
@@ -56,7 +56,7 @@ private:
         for (float *const c : {&p.x, &p.y, &p.z}) {
             mCursor.skipBlanksAndContinuations();
             if (!mCursor.number(*c))
-                return mCursor.failExpected(SANDREEL_PHRASE("a coordinate"));
+                return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a coordinate"));
         }
         if (!isFinite(p))
             return failAtLine(mCursor.line(), ErrorCode::NonFinite, vertexName(mPositions.size()));
@@ -66,7 +66,7 @@ private:
     }
 
     /// \returns true if the faces are the known ones
-    bool startFaces(const ObjFaces &known)
+    bool startFaces(const KnownFaces &known)
     {
         mFirstFace = false;
         mMesh.facesBegin = mCursor.offset();
@@ -82,7 +82,7 @@ private:
             mCursor.skipBlanksAndContinuations();
             if (mCursor.atLineEnd() || mCursor.peek() == '#') {
                 if (corner < 3)
-                    return mCursor.failExpected(SANDREEL_PHRASE("a face with at least 3 corners"));
+                    return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a face with at least 3 corners"));
                 return {};
             }
             const Result<std::uint32_t> index = vertexIndex();
@@ -102,11 +102,11 @@ private:
         const TextCursor start = mCursor;
         std::int64_t index = 0;
         if (!mCursor.integer(index))
-            return start.failExpected(SANDREEL_PHRASE("a vertex number"));
+            return start.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a vertex number"));
         while (!mCursor.atTokenEnd() && mCursor.peek() != '\\') {
             const char c = mCursor.peek();
             if (c != '/' && c != '-' && !detail::isDigit(c))
-                return start.failExpected(SANDREEL_PHRASE("a vertex number"));
+                return start.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a vertex number"));
             mCursor.advance();
         }
         const auto count = std::int64_t(mPositions.size());
@@ -141,7 +141,7 @@ private:
     static constexpr std::int64_t MaxIndex = 0xFFFFFFFF;
 
     TextCursor mCursor;
-    ObjMesh &mMesh;
+    ParsedMesh &mMesh;
     std::vector<Vec3f> &mPositions;
     std::vector<Triangle> &mTriangles;
     std::vector<ForwardReference> mForward;
@@ -150,13 +150,9 @@ private:
 
 } // namespace
 
-Result<bool> parseObj(std::string_view text, ObjMesh &mesh, const Progress &progress, const ObjFaces &known)
+Result<bool> parseObj(std::string_view text, ParsedMesh &mesh, const Progress &progress, const KnownFaces &known)
 {
-    mesh.mesh.positions.clear();
-    mesh.mesh.connectivity.triangles.clear();
-    mesh.mesh.connectivity.vertexCount = 0;
-    mesh.facesBegin = text.size();
-    mesh.facesLast = true;
+    mesh.clear();
     return ObjParser(text, mesh).parse(progress, known);
 }
 

@@ -9,7 +9,7 @@ Result<std::vector<Vec3f>> positionMemory(std::uint64_t vertexCount, std::uint64
 {
     // Both counts are below 2^32, but 12 times their product need not fit.
     if (frameCount && vertexCount > MaxPositionBytes / sizeof(Vec3f) / frameCount) {
-        return fail(ErrorCode::LimitExceeded, SANDREEL_PHRASE("the number of vertices times frames"),
+        return fail(ErrorCode::LimitExceeded, QT_TRANSLATE_NOOP("ErrorText", "the number of vertices times frames"),
                     std::to_string(vertexCount) + " x " + std::to_string(frameCount),
                     std::to_string(MaxPositionBytes / sizeof(Vec3f)));
     }

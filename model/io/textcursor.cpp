@@ -22,9 +22,9 @@ tl::unexpected<Error> TextCursor::failExpected(const char *expected) const
     here.skipBlanks();
     std::string found;
     if (here.atEnd()) {
-        found = SANDREEL_PHRASE("the end of the file");
+        found = QT_TRANSLATE_NOOP("ErrorText", "the end of the file");
     } else if (here.atLineEnd()) {
-        found = SANDREEL_PHRASE("the end of the line");
+        found = QT_TRANSLATE_NOOP("ErrorText", "the end of the line");
     } else {
         found = "\"";
         for (const char c : here.token().substr(0, MaxQuoted))

@@ -42,6 +42,11 @@ public:
     std::size_t left() const { return std::size_t(mEnd - mPosition); }
     std::string_view rest() const { return {mPosition, left()}; }
 
+    bool atLineEndAfterBlanks()
+    {
+        skipBlanks();
+        return atLineEnd();
+    }
     void skipBlanks()
     {
         while (!atEnd() && isBlank(*mPosition))
@@ -100,7 +105,7 @@ public:
         return true;
     }
 
-    /// SyntaxError at this line: `expected` (a SANDREEL_PHRASE), but here is something else.
+    /// SyntaxError at this line: `expected` (a phrase for translators: QT_TRANSLATE_NOOP), but here is something else.
     tl::unexpected<Error> failExpected(const char *expected) const;
 
 private:

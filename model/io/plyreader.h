@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/error.h"
+#include "model/base/progress.h"
+#include "model/mesh/trianglemesh.h"
+
+#include <string_view>
+
+namespace model::io {
+
+/// Parses PLY: text and binary of both byte orders; elements and properties in any order and of any type, of which the
+/// x, y, z of `vertex` and the vertex_indices (or vertex_index) of `face` are taken. Polygons become fans.
+/// \param mesh  written; its memory is reused
+/// \error BadMagic, SyntaxError, UnsupportedVersion, UnsupportedFeature (triangle strips, elements without the
+///        properties above), DuplicateChunk (an element twice), BadValue, Truncated, TrailingBytes (binary), NonFinite,
+///        IndexOutOfRange, each with its line (header and text) or byte (binary); NoVertices; Cancelled
+/// Format: Turk, "The PLY Polygon File Format", 1994, with the type names of later writers (int8 ... float64).
+Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress &progress = Progress());
+
+} // namespace model::io
