@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/animfile.h"
+
+#include "model/animation/editedframes.h"
+#include "tests/model/io/iotest.h"
+#include "tests/support/testmain.h"
+
+#include <set>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QDir>
+#include <QTemporaryDir>
+
+using namespace model;
+using namespace model::io;
+using tests::WavyFrames;
+
+class TestAnimFile final : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        mFolder = std::make_unique<QTemporaryDir>();
+        QVERIFY(mFolder->isValid());
+    }
+
+    void bytesComeBack()
+    {
+        for (const std::size_t size : {std::size_t(0), std::size_t(1), std::size_t(100'000)}) {
+            Bytes bytes(size);
+            for (std::size_t i = 0; i < size; ++i)
+                bytes[i] = std::uint8_t(i * 7);
+            QVERIFY(saveBytes(path("a"), bytes).has_value());
+            const auto read = readBytes(path("a"));
+            QVERIFY(read.has_value());
+            QVERIFY(*read == bytes);
+        }
+        QCOMPARE(QDir(mFolder->path()).entryList(QDir::Files), QStringList("a"));
+    }
+
+    void whatIsNoOrdinaryFileIsRefused()
+    {
+        SANDREEL_COMPARE_ERROR(readBytes(path("none")), ErrorCode::NotFound);
+        QVERIFY(QDir(mFolder->path()).mkdir("folder"));
+        const auto folder = readBytes(path("folder"));
+        SANDREEL_COMPARE_ERROR(folder, ErrorCode::CannotOpen);
+        QCOMPARE(tests::argsOf(folder.error()), QStringList("it is a folder"));
+        QCOMPARE(folder.error().file, path("folder").toStdString());
+        // Opening a pipe that nobody writes to would block for ever.
+        QCOMPARE(::mkfifo(path("pipe").toLocal8Bit().constData(), 0600), 0);
+        for (const QString &special : {path("pipe"), QStringLiteral("/dev/zero")}) {
+            const auto read = readBytes(special);
+            SANDREEL_COMPARE_ERROR(read, ErrorCode::CannotOpen);
+            QCOMPARE(tests::argsOf(read.error()), QStringList("it is not an ordinary file"));
+        }
+    }
+
+    void hugeFileIsRefusedWithoutReadingIt()
+    {
+        tests::put(path("huge"), "x");
+        QVERIFY(QFile::resize(path("huge"), qint64(1) << 40)); // takes no space: the file has a hole
+        const auto read = readBytes(path("huge"));
+        SANDREEL_COMPARE_ERROR(read, ErrorCode::LimitExceeded);
+        QCOMPARE(read.error().args.at(1), std::to_string(std::uint64_t(1) << 40));
+    }
+
+    void fileWithoutPermissionIsAnError()
+    {
+        if (::geteuid() == 0)
+            QSKIP("root may read everything");
+        tests::put(path("secret"), "x");
+        QVERIFY(QFile::setPermissions(path("secret"), {}));
+        SANDREEL_COMPARE_ERROR(readBytes(path("secret")), ErrorCode::CannotOpen);
+    }
+
+    void failedSaveLeavesTheOldFile()
+    {
+        tests::put(path("folder/file"), "old");
+        SANDREEL_COMPARE_ERROR(saveBytes(path("folder"), Bytes(5)), ErrorCode::CannotOpen);
+        SANDREEL_COMPARE_ERROR(saveBytes(path("none/file"), Bytes(5)), ErrorCode::CannotOpen);
+        QCOMPARE(tests::contents(path("folder/file")), QByteArray("old"));
+    }
+
+    /// A device that is always full stands for a full disk.
+    void fullDiskIsAnError()
+    {
+        if (!QFile::exists("/dev/full"))
+            QSKIP("no /dev/full here");
+        const auto saved = saveBytes("/dev/full", Bytes(100'000));
+        QVERIFY(!saved.has_value());
+        QVERIFY(categoryOf(saved.error().code) == ErrorCategory::InputOutput);
+    }
+
+    void renamedAnimationKeepsItsStream()
+    {
+        const auto decoded = encodeAndOpen();
+        const EditedFrames renamed(decoded, TimeMap::identity(decoded->frameCount()), {}, 50, "other");
+        const auto saved = encodeEdited(renamed, decoded->settings());
+        QVERIFY(saved.has_value());
+        QVERIFY(saved->bytes == *codec::withNameAndRate(decoded->encoded(), "other", 50));
+        for (std::uint32_t i = 0; i < decoded->vertexCount(); ++i)
+            QCOMPARE(saved->permutation[i], i);
+        const auto again = codec::decodeAnimation(saved->bytes);
+        QCOMPARE((*again)->name(), std::string("other"));
+        QCOMPARE((*again)->frameRate(), 50.0);
+        QVERIFY((*again)->frame(3) == decoded->frame(3));
+    }
+
+    void changedAnimationIsEncodedAgain()
+    {
+        const auto decoded = encodeAndOpen();
+        const TimeMap all = TimeMap::identity(decoded->frameCount());
+        CompressionSettings finer = decoded->settings();
+        finer.resolution *= 2;
+        const EditedFrames same(decoded, all, {}, 30, "wavy"), trimmed(decoded, all.trimmed(1, 4), {}, 30, "wavy"),
+            moved(decoded, all, {2, {1, 0, 0}}, 30, "wavy");
+        const auto check = [](const EditedFrames &frames, const CompressionSettings &settings) {
+            const auto saved = encodeEdited(frames, settings), fresh = codec::encodeAnimation(frames, settings);
+            QVERIFY(saved.has_value() && fresh.has_value());
+            QVERIFY(saved->bytes == fresh->bytes);
+        };
+        check(same, finer);
+        check(trimmed, decoded->settings());
+        check(moved, decoded->settings());
+    }
+
+private:
+    std::shared_ptr<const codec::DecodedAnimation> encodeAndOpen()
+    {
+        const auto encoded = codec::encodeAnimation(WavyFrames(40, 8), {});
+        if (!encoded || !saveBytes(path("wavy.anim"), encoded->bytes))
+            qFatal("cannot make an animation");
+        return *openAnim(path("wavy.anim"));
+    }
+
+    QString path(const QString &name) const { return mFolder->filePath(name); }
+
+    std::unique_ptr<QTemporaryDir> mFolder;
+};
+
+SANDREEL_TEST(TestAnimFile)
+#include "tst_animfile.moc"
