@@ -137,8 +137,8 @@ Result<void> writeFrames(const QString &folder, const FrameSource &source, MeshF
 Result<void> writePc2(const QString &path, const FrameSource &source, const Progress &progress)
 {
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return failIn(file, ErrorCode::CannotOpen);
+    if (auto opened = openForSaving(file); !opened)
+        return opened;
     const auto put = [&file](std::span<const std::uint8_t> bytes) {
         return file.write(reinterpret_cast<const char *>(bytes.data()), qint64(bytes.size())) == qint64(bytes.size());
     };

@@ -7,6 +7,7 @@
 
 #include <numeric>
 
+#include <QFileInfo>
 #include <QSaveFile>
 
 namespace model::io {
@@ -25,11 +26,24 @@ Result<std::shared_ptr<const codec::DecodedAnimation>> openAnim(const QString &p
 Result<void> saveBytes(const QString &path, std::span<const std::uint8_t> bytes)
 {
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return failIn(file, ErrorCode::CannotOpen);
+    if (auto opened = openForSaving(file); !opened)
+        return opened;
     if (file.write(reinterpret_cast<const char *>(bytes.data()), qint64(bytes.size())) != qint64(bytes.size()) ||
         !file.commit())
         return failIn(file, ErrorCode::CannotWrite);
+    return {};
+}
+
+Result<void> openForSaving(QSaveFile &file)
+{
+    const QFileInfo info(file.fileName());
+    if (info.isDir())
+        return failIn(file.fileName(), ErrorCode::CannotOpen, QT_TRANSLATE_NOOP("ErrorText", "it is a folder"));
+    if (info.exists() && !info.isFile())
+        return failIn(file.fileName(), ErrorCode::CannotOpen,
+                      QT_TRANSLATE_NOOP("ErrorText", "it is not an ordinary file"));
+    if (!file.open(QIODevice::WriteOnly))
+        return failIn(file, ErrorCode::CannotOpen);
     return {};
 }
 

@@ -5,6 +5,8 @@
 
 #include <QString>
 
+class QSaveFile;
+
 namespace model::io {
 
 /// Opens an `.anim` file. \error as codec::decodeAnimation, and NotFound, CannotOpen, CannotRead
@@ -14,6 +16,10 @@ Result<std::shared_ptr<const codec::DecodedAnimation>> openAnim(const QString &p
 /// Writes bytes through QSaveFile: all or nothing, an existing file stays until all bytes are on disk.
 /// \error CannotOpen, CannotWrite
 Result<void> saveBytes(const QString &path, std::span<const std::uint8_t> bytes);
+
+/// Opens a file that saving will replace. Folders, devices and pipes are refused: a QSaveFile would put an ordinary
+/// file in the place of a device. \error CannotOpen
+Result<void> openForSaving(QSaveFile &file);
 
 /// A whole file. \error NotFound, CannotOpen, CannotRead, LimitExceeded
 Result<Bytes> readBytes(const QString &path);

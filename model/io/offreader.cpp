@@ -66,7 +66,8 @@ private:
     Result<void> keyword()
     {
         mCursor.skipSpaceAndComments();
-        if (detail::isDigit(mCursor.peek()))
+        std::int64_t vertexCount = 0;
+        if (TextCursor ahead = mCursor; ahead.integer(vertexCount) && ahead.atTokenEnd())
             return {};
         const std::uint64_t line = mCursor.line();
         std::string_view word = mCursor.token();

@@ -32,9 +32,9 @@ public:
 
     std::size_t Read(void *buffer, std::size_t size, std::size_t count) override
     {
-        if (size == 0)
+        const std::size_t whole = size == 0 ? 0 : std::min(count, (mBytes.size() - mPosition) / size);
+        if (whole == 0)
             return 0;
-        const std::size_t whole = std::min(count, (mBytes.size() - mPosition) / size);
         std::memcpy(buffer, mBytes.data() + mPosition, whole * size);
         mPosition += whole * size;
         return whole;
