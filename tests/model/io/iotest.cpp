@@ -23,7 +23,7 @@ void WavyFrames::positions(std::uint32_t frame, std::span<model::Vec3f> out) con
         onFrame(frame);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const float angle = float(i) * 0.37f + float(frame) * 0.11f;
-        out[i] = {std::sin(angle), std::cos(angle * 1.7f) * 1e-3f, float(i) - angle * 1e4f};
+        out[i] = {std::sin(angle), std::cos(angle * 1.7f) * 1e-3f, float(i) - angle * 10};
     }
 }
 

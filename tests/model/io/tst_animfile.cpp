@@ -85,14 +85,14 @@ private slots:
         QCOMPARE(tests::contents(path("folder/file")), QByteArray("old"));
     }
 
-    /// A device that is always full stands for a full disk.
-    void fullDiskIsAnError()
+    /// Saving replaces what is there, and must not replace a device or a pipe by a file.
+    void onlyOrdinaryFilesAreReplaced()
     {
-        if (!QFile::exists("/dev/full"))
-            QSKIP("no /dev/full here");
-        const auto saved = saveBytes("/dev/full", Bytes(100'000));
-        QVERIFY(!saved.has_value());
-        QVERIFY(categoryOf(saved.error().code) == ErrorCategory::InputOutput);
+        QCOMPARE(::mkfifo(path("pipe").toLocal8Bit().constData(), 0600), 0);
+        const auto saved = saveBytes(path("pipe"), Bytes(5));
+        SANDREEL_COMPARE_ERROR(saved, ErrorCode::CannotOpen);
+        QCOMPARE(tests::argsOf(saved.error()), QStringList("it is not an ordinary file"));
+        QVERIFY(!QFileInfo(path("pipe")).isFile());
     }
 
     void renamedAnimationKeepsItsStream()

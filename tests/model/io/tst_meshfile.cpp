@@ -240,7 +240,7 @@ private slots:
         const QByteArray one = "element vertex 1\n" + xyz,
                          face = "element face 1\nproperty list uchar int vertex_index\n";
         text("PLY: hostile count", ply, ascii + "element vertex 4000000000\n" + xyz + "end_header\n1 2 3\n",
-             ErrorCode::Truncated, 7);
+             ErrorCode::Truncated, 8);
         text("PLY: text ends early", ply, ascii + one + "end_header\n1.000 2\n", ErrorCode::SyntaxError, 9);
         text("PLY: not a number", ply, ascii + one + "end_header\n1 2 x3\n", ErrorCode::SyntaxError, 8);
         text("PLY: nan", ply, ascii + one + "end_header\n1 2 nan\n", ErrorCode::NonFinite, 8);
