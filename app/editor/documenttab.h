@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/editor/document.h"
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedLayout;
+
+namespace views {
+class AnimationViewport;
+}
+
+namespace editor {
+
+/// A tab's page: how far the opening is, then the viewport, or why there can be none.
+class DocumentTab final : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// \param canDraw  false without sufficient OpenGL: everything but the picture works then
+    explicit DocumentTab(bool canDraw, QWidget *parent = nullptr);
+
+    Document &document() { return mDocument; }
+    const Document &document() const { return mDocument; }
+    /// Null while it is being opened, and without OpenGL.
+    views::AnimationViewport *viewport() const { return mViewport; }
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    QWidget *makeOpeningPage();
+    QWidget *makeNoGlPage();
+    void showDocument();
+    void retranslate();
+
+    const bool mCanDraw;
+    Document mDocument;
+    QStackedLayout *mPages;
+    QLabel *mOpeningTitle = nullptr;
+    QProgressBar *mOpeningBar = nullptr;
+    QPushButton *mCancel = nullptr;
+    QLabel *mNoGlTitle = nullptr;
+    QLabel *mNoGlText = nullptr;
+    views::AnimationViewport *mViewport = nullptr;
+};
+
+} // namespace editor

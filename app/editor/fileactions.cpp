@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/fileactions.h"
+
+#include "app/editor/documenttab.h"
+#include "app/editor/workspace.h"
+#include "model/io/animationreader.h"
+#include "model/io/errortext.h"
+#include "views/dialogs/preparedialog.h"
+#include "views/itemmodels/logmodel.h"
+#include "views/viewport/glsupport.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace editor {
+
+namespace {
+
+const QString AnimEnding = QStringLiteral("anim");
+
+bool isAnim(const QFileInfo &file)
+{
+    return file.suffix().compare(AnimEnding, Qt::CaseInsensitive) == 0;
+}
+
+} // namespace
+
+FileActions::FileActions(Actions &actions, Workspace &workspace, Settings &settings, views::LogModel &log,
+                         QWidget &window)
+    : mActions(actions)
+    , mWorkspace(workspace)
+    , mSettings(settings)
+    , mLog(log)
+    , mWindow(window)
+{
+    const auto onTab = [this](ActionId id, auto function) {
+        connect(&mActions[id], &QAction::triggered, this, [this, function] {
+            if (DocumentTab *tab = mWorkspace.current())
+                (this->*function)(*tab);
+        });
+    };
+    connect(&actions[ActionId::Open], &QAction::triggered, this, &FileActions::showOpenDialog);
+    connect(&actions[ActionId::Prepare], &QAction::triggered, this, [this] { prepare(QString()); });
+    connect(&actions[ActionId::Quit], &QAction::triggered, &window, &QWidget::close);
+    onTab(ActionId::Save, &FileActions::save);
+    onTab(ActionId::SaveAs, &FileActions::saveAs);
+    onTab(ActionId::Reload, &FileActions::reload);
+    onTab(ActionId::CloseTab, &FileActions::close);
+    connect(&workspace, &Workspace::closeRequested, this, &FileActions::close);
+    connect(&workspace, &Workspace::currentChanged, this, &FileActions::update);
+    connect(&workspace, &Workspace::currentStateChanged, this, &FileActions::update);
+    update();
+}
+
+void FileActions::openPaths(const QStringList &paths)
+{
+    for (const QString &path : paths) {
+        const QFileInfo file(path);
+        if (!file.exists()) {
+            tell(tr("%1 cannot be opened.").arg(file.fileName()),
+                 model::Error{model::ErrorCode::NotFound, {}, path.toStdString()});
+            mSettings.removeRecentFile(file.absoluteFilePath());
+            emit recentFilesChanged();
+        } else if (file.isDir() || (!isAnim(file) && model::io::readableEndings().contains(file.suffix().toLower()))) {
+            prepare(file.absoluteFilePath());
+        } else if (isAnim(file)) {
+            openAnimation(file.absoluteFilePath());
+        } else {
+            tell(tr("%1 cannot be opened.").arg(file.fileName()),
+                 model::Error{model::ErrorCode::UnknownFormat, {file.suffix().toStdString()}, path.toStdString()});
+        }
+    }
+}
+
+void FileActions::openAnimation(const QString &path)
+{
+    for (DocumentTab *tab : mWorkspace.tabs())
+        if (tab->document().path() == path) {
+            mWorkspace.activate(*tab);
+            return;
+        }
+    auto *tab = new DocumentTab(views::glSupport().isSufficient);
+    Document &document = tab->document();
+    connect(&document, &Document::opened, this, [this, tab] { opened(*tab); });
+    connect(&document, &Document::failed, this, [this, tab](const model::Error &e) { openingFailed(*tab, e); });
+    connect(&document, &Document::saved, this, [this, tab] { saved(*tab); });
+    connect(&document, &Document::saveFailed, this, [this, tab](const model::Error &e) { savingFailed(*tab, e); });
+    document.open(path);
+    mWorkspace.add(tab);
+}
+
+void FileActions::showOpenDialog()
+{
+    const QStringList paths = QFileDialog::getOpenFileNames(&mWindow, tr("Open Animations"), mSettings.lastFolder(),
+                                                            tr("Animations (*.anim);;All files (*)"));
+    openPaths(paths);
+}
+
+void FileActions::prepare(const QString &source)
+{
+    if (!mPrepare) {
+        mPrepare = new views::PrepareDialog(&mWindow);
+        mPrepare->setAttribute(Qt::WA_DeleteOnClose);
+        connect(mPrepare, &views::PrepareDialog::openRequested, this,
+                [this](const QString &path) { openPaths({path}); });
+    }
+    if (!source.isEmpty())
+        mPrepare->setSource(source);
+    mPrepare->show();
+    mPrepare->raise();
+    mPrepare->activateWindow();
+}
+
+bool FileActions::save(DocumentTab &tab)
+{
+    Document &document = tab.document();
+    if (document.path().isEmpty())
+        return saveAs(tab);
+    if (!document.canSave() || !maySaveOver(document))
+        return false;
+    document.save(document.path());
+    return true;
+}
+
+bool FileActions::saveAs(DocumentTab &tab)
+{
+    Document &document = tab.document();
+    if (!document.canSave())
+        return false;
+    const QString proposal = document.path().isEmpty()
+                                 ? QDir(mSettings.lastFolder()).filePath(document.title() + QLatin1String(".anim"))
+                                 : document.path();
+    QFileDialog dialog(&mWindow, tr("Save Animation As"), QFileInfo(proposal).absolutePath(),
+                       tr("Animations (*.anim)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(AnimEnding);
+    dialog.selectFile(QFileInfo(proposal).fileName());
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
+        return false;
+    document.save(QFileInfo(dialog.selectedFiles().constFirst()).absoluteFilePath());
+    return true;
+}
+
+bool FileActions::maySaveOver(Document &document)
+{
+    if (!document.isChangedOnDisk())
+        return true;
+    const bool gone = !QFileInfo::exists(document.path());
+    if (gone)
+        return true; // nothing is lost by writing it again
+    QMessageBox box(
+        QMessageBox::Warning, tr("File Changed"),
+        tr("Another program has changed %1 since it was opened.").arg(QFileInfo(document.path()).fileName()),
+        QMessageBox::Cancel, &mWindow);
+    box.setInformativeText(tr("Saving replaces those changes by yours."));
+    const QPushButton *overwrite = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == overwrite;
+}
+
+void FileActions::reload(DocumentTab &tab)
+{
+    Document &document = tab.document();
+    if (document.isModified()) {
+        QMessageBox box(QMessageBox::Question, tr("Reload"),
+                        tr("Reloading drops the unsaved changes of %1.").arg(document.title()), QMessageBox::Cancel,
+                        &mWindow);
+        const QPushButton *drop = box.addButton(tr("Reload"), QMessageBox::DestructiveRole);
+        box.setDefaultButton(QMessageBox::Cancel);
+        box.exec();
+        if (box.clickedButton() != drop)
+            return;
+    }
+    document.reload();
+}
+
+void FileActions::close(DocumentTab &tab)
+{
+    Document &document = tab.document();
+    if (document.isSaving()) {
+        mCloseWhenSaved.push_back(&tab);
+        return;
+    }
+    if (document.isModified()) {
+        switch (askAbout({&tab})) {
+        case Answer::Cancel:
+            return;
+        case Answer::Save:
+            if (save(tab))
+                mCloseWhenSaved.push_back(&tab);
+            return;
+        case Answer::Discard:
+            break;
+        }
+    }
+    mWorkspace.remove(tab);
+}
+
+FileActions::Answer FileActions::askAbout(const std::vector<DocumentTab *> &modified)
+{
+    QMessageBox box(QMessageBox::Question, tr("Unsaved Changes"), QString(),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &mWindow);
+    box.setObjectName(QStringLiteral("unsavedChanges"));
+    if (modified.size() == 1) {
+        box.setText(tr("%1 has unsaved changes.").arg(modified.front()->document().title()));
+    } else {
+        box.setText(tr("%n animation(s) have unsaved changes.", nullptr, int(modified.size())));
+        QStringList names;
+        for (const DocumentTab *tab : modified)
+            names << QStringLiteral("• ") + tab->document().title();
+        box.setInformativeText(names.join(QLatin1Char('\n')));
+        box.button(QMessageBox::Save)->setText(tr("&Save All"));
+        box.button(QMessageBox::Discard)->setText(tr("&Discard All"));
+    }
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return Answer::Save;
+    case QMessageBox::Discard:
+        return Answer::Discard;
+    default:
+        return Answer::Cancel;
+    }
+}
+
+bool FileActions::mayQuit()
+{
+    mQuitWhenSaved = false;
+    if (mPrepare && !mPrepare->close())
+        return false;
+    std::vector<DocumentTab *> modified;
+    bool saving = false;
+    for (DocumentTab *tab : mWorkspace.tabs()) {
+        saving = saving || tab->document().isSaving();
+        if (tab->document().isModified() && !tab->document().isSaving())
+            modified.push_back(tab);
+    }
+    if (!modified.empty()) {
+        switch (askAbout(modified)) {
+        case Answer::Cancel:
+            return false;
+        case Answer::Discard:
+            break;
+        case Answer::Save:
+            for (DocumentTab *tab : modified) {
+                mWorkspace.activate(*tab);
+                if (!save(*tab))
+                    return false;
+            }
+            saving = true;
+            break;
+        }
+    }
+    mQuitWhenSaved = saving;
+    return !saving;
+}
+
+void FileActions::closeSavedOnes()
+{
+    const std::vector<DocumentTab *> waiting = std::exchange(mCloseWhenSaved, {});
+    const auto isOpen = [this](DocumentTab *tab) {
+        const auto tabs = mWorkspace.tabs();
+        return std::find(tabs.begin(), tabs.end(), tab) != tabs.end();
+    };
+    for (DocumentTab *tab : waiting)
+        if (isOpen(tab))
+            close(*tab); // waits again while it is being saved, asks again if it was edited meanwhile
+    const auto tabs = mWorkspace.tabs();
+    const bool saving =
+        std::any_of(tabs.begin(), tabs.end(), [](DocumentTab *tab) { return tab->document().isSaving(); });
+    if (!saving && std::exchange(mQuitWhenSaved, false))
+        emit quitReady();
+}
+
+void FileActions::opened(DocumentTab &tab)
+{
+    Document &document = tab.document();
+    const views::FileFacts &facts = *document.fileFacts();
+    mLog.add(views::LogLevel::Info, tr("Opened %1: %L2 vertices, %L3 frames")
+                                        .arg(document.path().isEmpty() ? document.title() : document.path())
+                                        .arg(facts.vertexCount)
+                                        .arg(facts.frameCount));
+    if (!document.path().isEmpty()) {
+        mSettings.addRecentFile(document.path());
+        mSettings.setLastFolder(QFileInfo(document.path()).absolutePath());
+        emit recentFilesChanged();
+    }
+    update();
+}
+
+void FileActions::openingFailed(DocumentTab &tab, const model::Error &error)
+{
+    if (error.code != model::ErrorCode::Cancelled)
+        tell(tr("%1 cannot be opened.").arg(tab.document().title()), error);
+    if (!tab.document().isOpen()) // a reload that failed leaves what is there
+        mWorkspace.remove(tab);
+}
+
+void FileActions::saved(DocumentTab &tab)
+{
+    const Document &document = tab.document();
+    mLog.add(
+        views::LogLevel::Info,
+        tr("Saved %1 (%2)").arg(document.path(), QLocale().formattedDataSize(qint64(document.fileFacts()->bytes))));
+    mSettings.addRecentFile(document.path());
+    mSettings.setLastFolder(QFileInfo(document.path()).absolutePath());
+    emit recentFilesChanged();
+    // Not from within the document's own signal: closing destroys it.
+    QMetaObject::invokeMethod(this, &FileActions::closeSavedOnes, Qt::QueuedConnection);
+}
+
+void FileActions::savingFailed(DocumentTab &tab, const model::Error &error)
+{
+    mQuitWhenSaved = false;
+    std::erase(mCloseWhenSaved, &tab);
+    if (error.code != model::ErrorCode::Cancelled)
+        tell(tr("%1 was not saved.").arg(tab.document().title()), error);
+}
+
+void FileActions::tell(const QString &text, const model::Error &error)
+{
+    const QString message = text + QLatin1Char(' ') + model::io::errorText(error);
+    mLog.add(views::LogLevel::Error, message);
+    mWorkspace.messages().add(views::MessageBar::Kind::Error, message);
+}
+
+void FileActions::update()
+{
+    const DocumentTab *tab = mWorkspace.current();
+    const bool canSave = tab && tab->document().canSave();
+    mActions[ActionId::Save].setEnabled(canSave && (tab->document().isModified() || tab->document().path().isEmpty()));
+    mActions[ActionId::SaveAs].setEnabled(canSave);
+    mActions[ActionId::Reload].setEnabled(canSave);
+    mActions[ActionId::CloseTab].setEnabled(tab != nullptr);
+    for (const ActionId id : {ActionId::NextTab, ActionId::PreviousTab})
+        mActions[id].setEnabled(mWorkspace.tabs().size() > 1);
+}
+
+} // namespace editor

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/mainwindow.h"
+
+#include "app/editor/documenttab.h"
+#include "app/editor/shortcuts.h"
+#include "app/editor/welcomepage.h"
+#include "app/editor/windowstate.h"
+#include "views/docks/compressiondock.h"
+#include "views/docks/historydock.h"
+#include "views/docks/logdock.h"
+#include "views/docks/timelinedock.h"
+#include "views/widgets/icons.h"
+
+#include <QCloseEvent>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QStatusBar>
+#include <QToolBar>
+
+namespace editor {
+
+namespace {
+
+constexpr const char *ToolBarTitles[][2] = {
+    {"fileToolBar", QT_TRANSLATE_NOOP("editor::MainWindow", "File Toolbar")},
+    {"editToolBar", QT_TRANSLATE_NOOP("editor::MainWindow", "Edit Toolbar")},
+    {"viewToolBar", QT_TRANSLATE_NOOP("editor::MainWindow", "View Toolbar")},
+};
+
+} // namespace
+
+MainWindow::MainWindow(Language &language)
+    : mLanguage(language)
+    , mActions(*this)
+    , mWelcome(new WelcomePage(mActions, mSettings))
+    , mWorkspace(new Workspace(mWelcome, this))
+    , mFiles(mActions, *mWorkspace, mSettings, mLog, *this)
+    , mEdits(mActions, *mWorkspace, *this)
+    , mExports(mActions, *mWorkspace, mSettings, *this)
+    , mViews(mActions, *mWorkspace, mSettings, *this)
+    , mHelp(mActions, mSettings, *this)
+    , mMenus(*this, mActions, mSettings, mLanguage)
+    , mStatus(*statusBar(), *mWorkspace)
+    , mDrops(*this)
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setCentralWidget(mWorkspace);
+    setDockNestingEnabled(true);
+    makeToolBars();
+    makeDocks();
+    applyShortcuts(mActions, mSettings);
+
+    connect(mWelcome, &WelcomePage::openRequested, this, [this](const QString &path) { open({path}); });
+    connect(&mMenus, &Menus::openRequested, this, [this](const QString &path) { open({path}); });
+    connect(&mMenus, &Menus::recentFilesCleared, mWelcome, &WelcomePage::refresh);
+    connect(&mDrops, &DropTarget::dropped, this, &MainWindow::open);
+    connect(&mFiles, &FileActions::quitReady, this, &QWidget::close);
+    connect(mWorkspace, &Workspace::currentChanged, this, &MainWindow::followDocument);
+    connect(mWorkspace, &Workspace::currentStateChanged, this, &MainWindow::followDocument);
+    retranslate();
+    followDocument();
+    restoreWindow(*this, mSettings);
+}
+
+MainWindow::~MainWindow()
+{
+    // The documents go first, while everything that follows them is still there.
+    const QSignalBlocker blocker(mWorkspace);
+    for (DocumentTab *tab : mWorkspace->tabs())
+        delete tab;
+}
+
+void MainWindow::makeToolBars()
+{
+    makeToolBar("fileToolBar", {ActionId::Prepare, ActionId::Open, ActionId::Save});
+    makeToolBar("editToolBar", {ActionId::Undo, ActionId::Redo, ActionId::Trim, ActionId::Reverse, ActionId::Resample,
+                                ActionId::Normalise});
+    QToolBar *view = makeToolBar("viewToolBar",
+                                 {ActionId::Shaded, ActionId::ShadedWireframe, ActionId::Wireframe, ActionId::Points});
+    view->addWidget(mViews.makeDensitySlider(view));
+    view->addSeparator();
+    view->addAction(&mActions[ActionId::Fit]);
+    view->addAction(&mActions[ActionId::Statistics]);
+}
+
+QToolBar *MainWindow::makeToolBar(const char *key, std::initializer_list<ActionId> ids)
+{
+    auto *bar = new QToolBar(this);
+    bar->setObjectName(QLatin1String(key));
+    bar->setIconSize({20, 20});
+    for (const ActionId id : ids)
+        bar->addAction(&mActions[id]);
+    addToolBar(bar);
+    mToolBars << bar;
+    return bar;
+}
+
+void MainWindow::makeDocks()
+{
+    mTimeline = new views::TimelineDock(this);
+    mCompression = new views::CompressionDock(this);
+    mHistory = new views::HistoryDock(this);
+    mLogDock = new views::LogDock(mLog, this);
+    addDockWidget(Qt::BottomDockWidgetArea, mTimeline);
+    addDockWidget(Qt::RightDockWidgetArea, mCompression);
+    addDockWidget(Qt::RightDockWidgetArea, mHistory);
+    addDockWidget(Qt::BottomDockWidgetArea, mLogDock);
+    splitDockWidget(mTimeline, mLogDock, Qt::Vertical);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    mLogDock->hide();
+
+    const QList<QAction *> playActions = mTimeline->actions();
+    for (QAction *action : playActions) {
+        mMenus.playMenu().addAction(action);
+        mActions.adopt(*action, QT_TRANSLATE_NOOP("Actions", "&Play"));
+    }
+    QList<QAction *> docks;
+    for (QDockWidget *dock : std::initializer_list<QDockWidget *>{mTimeline, mCompression, mHistory, mLogDock}) {
+        dock->toggleViewAction()->setObjectName(QStringLiteral("view.") + dock->objectName());
+        mActions.adopt(*dock->toggleViewAction(), QT_TRANSLATE_NOOP("Actions", "&View"));
+        docks << dock->toggleViewAction();
+    }
+    QList<QAction *> bars;
+    for (QToolBar *bar : mToolBars)
+        bars << bar->toggleViewAction();
+    mMenus.addPanelActions(docks, bars);
+}
+
+void MainWindow::followDocument()
+{
+    DocumentTab *tab = mWorkspace->current();
+    commands::EditContext *context = tab ? tab->document().context() : nullptr;
+    mHistory->setContext(context);
+    mCompression->setDocument(context, tab ? tab->document().fileFacts() : std::nullopt);
+    mTimeline->setPlayer(context ? &tab->document().player() : nullptr);
+    if (tab)
+        connect(&tab->document(), &Document::aboutToBeReplaced, this, &MainWindow::letGo, Qt::UniqueConnection);
+    showTitle();
+}
+
+void MainWindow::letGo()
+{
+    const DocumentTab *tab = mWorkspace->current();
+    if (!tab || sender() != &tab->document())
+        return;
+    mHistory->setContext(nullptr);
+    mCompression->setDocument(nullptr, std::nullopt);
+    mTimeline->setPlayer(nullptr);
+}
+
+void MainWindow::showTitle()
+{
+    const DocumentTab *tab = mWorkspace->current();
+    setWindowTitle(tab ? tab->document().title() + QStringLiteral("[*] – Sandreel") : QStringLiteral("Sandreel"));
+    setWindowModified(tab && tab->document().isModified());
+    setWindowFilePath(tab ? tab->document().path() : QString());
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (!mFiles.mayQuit()) {
+        event->ignore();
+        return;
+    }
+    if (!isFullScreen())
+        saveWindow(*this, mSettings);
+    event->accept();
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::WindowStateChange)
+        mActions[ActionId::FullScreen].setChecked(isFullScreen());
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::retranslate()
+{
+    mActions.retranslate();
+    mMenus.retranslate();
+    mStatus.retranslate();
+    for (QToolBar *bar : mToolBars)
+        for (const auto &[key, title] : ToolBarTitles)
+            if (bar->objectName() == QLatin1String(key))
+                bar->setWindowTitle(tr(title));
+}
+
+} // namespace editor

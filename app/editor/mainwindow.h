@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/editor/actions.h"
+#include "app/editor/droptarget.h"
+#include "app/editor/editactions.h"
+#include "app/editor/exportactions.h"
+#include "app/editor/fileactions.h"
+#include "app/editor/helpactions.h"
+#include "app/editor/language.h"
+#include "app/editor/menus.h"
+#include "app/editor/messagelog.h"
+#include "app/editor/settings.h"
+#include "app/editor/statuspanel.h"
+#include "app/editor/viewactions.h"
+#include "app/editor/workspace.h"
+#include "views/itemmodels/logmodel.h"
+
+#include <QMainWindow>
+
+class QToolBar;
+
+namespace views {
+class CompressionDock;
+class HistoryDock;
+class LogDock;
+class TimelineDock;
+} // namespace views
+
+namespace editor {
+
+class WelcomePage;
+
+/// The window: puts the parts together and lets the docks follow the present tab.
+class MainWindow final : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    explicit MainWindow(Language &language);
+    ~MainWindow() override;
+
+    void open(const QStringList &paths) { mFiles.openPaths(paths); }
+    Workspace &workspace() { return *mWorkspace; }
+    Actions &actions() { return mActions; }
+    views::LogModel &log() { return mLog; }
+
+protected:
+    void closeEvent(QCloseEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    void makeDocks();
+    void makeToolBars();
+    QToolBar *makeToolBar(const char *key, std::initializer_list<ActionId> ids);
+    void followDocument();
+    void letGo();
+    void showTitle();
+    void retranslate();
+
+    Settings mSettings;
+    Language &mLanguage;
+    views::LogModel mLog;
+    MessageLog mMessageLog{mLog};
+    Actions mActions;
+    WelcomePage *mWelcome;
+    Workspace *mWorkspace;
+    FileActions mFiles;
+    EditActions mEdits;
+    ExportActions mExports;
+    ViewActions mViews;
+    HelpActions mHelp;
+    Menus mMenus;
+    StatusPanel mStatus;
+    DropTarget mDrops;
+    views::TimelineDock *mTimeline = nullptr;
+    views::CompressionDock *mCompression = nullptr;
+    views::HistoryDock *mHistory = nullptr;
+    views::LogDock *mLogDock = nullptr;
+    QList<QToolBar *> mToolBars;
+};
+
+} // namespace editor

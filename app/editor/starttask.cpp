@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/starttask.h"
+
+#include "app/editor/documenttab.h"
+#include "app/editor/mainwindow.h"
+
+#include <QApplication>
+#include <QPixmap>
+#include <QScreen>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace editor {
+
+namespace {
+
+constexpr int PollMilliseconds = 20;
+constexpr int CannotWrite = 4;
+
+} // namespace
+
+StartTask::StartTask(MainWindow &window, StartOptions options)
+    : mWindow(window)
+    , mOptions(std::move(options))
+{
+    mPolling.setInterval(PollMilliseconds);
+    connect(&mPolling, &QTimer::timeout, this, &StartTask::proceed);
+    if (mOptions.frame || mOptions.play || !mOptions.screenshot.isEmpty())
+        mPolling.start();
+}
+
+void StartTask::proceed()
+{
+    const auto tabs = mWindow.workspace().tabs();
+    if (std::any_of(tabs.begin(), tabs.end(), [](DocumentTab *tab) { return tab->document().isOpening(); }))
+        return;
+    mPolling.stop();
+    if (DocumentTab *tab = mWindow.workspace().current()) {
+        if (mOptions.frame)
+            tab->document().player().seek(*mOptions.frame - 1);
+        if (mOptions.play)
+            tab->document().player().play();
+    }
+    if (!mOptions.screenshot.isEmpty())
+        QTimer::singleShot(mOptions.screenshotDelay, this, &StartTask::takeScreenshot);
+}
+
+void StartTask::takeScreenshot()
+{
+    // Not QWidget::grab(): that loses what is painted over the OpenGL picture.
+    const QPixmap picture = mWindow.screen()->grabWindow(mWindow.winId());
+    const bool written = !picture.isNull() && picture.save(mOptions.screenshot);
+    if (!written)
+        std::fprintf(stderr, "sandreel: cannot write %s\n", qPrintable(mOptions.screenshot));
+    QApplication::exit(written ? 0 : CannotWrite);
+}
+
+} // namespace editor

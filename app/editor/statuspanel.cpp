@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/statuspanel.h"
+
+#include "app/editor/documenttab.h"
+#include "app/editor/workspace.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QStatusBar>
+
+namespace editor {
+
+StatusPanel::StatusPanel(QStatusBar &bar, Workspace &workspace)
+    : mBar(bar)
+    , mWorkspace(workspace)
+    , mHint(new QLabel(&bar))
+    , mNumbers(new QLabel(&bar))
+{
+    mHint->setContentsMargins(6, 0, 6, 0);
+    mNumbers->setContentsMargins(6, 0, 6, 0);
+    mNumbers->setObjectName(QStringLiteral("statusNumbers"));
+    bar.addWidget(mHint, 1);
+    bar.addPermanentWidget(mNumbers);
+    connect(&workspace, &Workspace::currentChanged, this, &StatusPanel::follow);
+    connect(&workspace, &Workspace::currentStateChanged, this, &StatusPanel::follow);
+    follow();
+}
+
+void StatusPanel::follow()
+{
+    disconnect(mChanges);
+    if (const DocumentTab *tab = mWorkspace.current(); tab && tab->document().isOpen())
+        mChanges = connect(&tab->document().context()->document(), &model::AnimationDocument::changed, this,
+                           &StatusPanel::update);
+    update();
+}
+
+void StatusPanel::update()
+{
+    const DocumentTab *tab = mWorkspace.current();
+    const bool open = tab && tab->document().isOpen();
+    mNumbers->setVisible(open);
+    if (!open) {
+        mHint->setText(tab ? QString() : tr("Drop an .anim file, a folder of meshes, a point cache or a scene here"));
+        return;
+    }
+    mHint->setText(tab->viewport() ? tr("Drag: orbit   Shift+drag: pan   Wheel: zoom   Space: play") : QString());
+    const model::AnimationDocument &document = tab->document().context()->document();
+    const QLocale locale;
+    QStringList parts{
+        tr("V %1", "number of vertices").arg(locale.toString(document.vertexCount())),
+        tr("T %1", "number of triangles").arg(locale.toString(qulonglong(document.connectivity().triangles.size()))),
+        tr("F %1", "number of frames").arg(locale.toString(document.frameCount())),
+        tr("%1 fps").arg(locale.toString(document.timing().frameRate, 'g', 5)),
+    };
+    if (const auto &facts = tab->document().fileFacts())
+        parts << locale.formattedDataSize(qint64(facts->bytes), 1, QLocale::DataSizeSIFormat);
+    mNumbers->setText(parts.join(QStringLiteral("   ")));
+    mNumbers->setToolTip(tr("Vertices, triangles, frames, frame rate, size of the file"));
+}
+
+} // namespace editor

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+class QLabel;
+class QStatusBar;
+
+namespace editor {
+
+class Workspace;
+
+/// The status bar: what the mouse does at the left, the size of the present animation at the right.
+class StatusPanel final : public QObject
+{
+    Q_OBJECT
+
+public:
+    StatusPanel(QStatusBar &bar, Workspace &workspace);
+    void retranslate() { update(); }
+
+private:
+    void follow();
+    void update();
+
+    QStatusBar &mBar;
+    Workspace &mWorkspace;
+    QLabel *mHint;
+    QLabel *mNumbers;
+    QMetaObject::Connection mChanges;
+};
+
+} // namespace editor

@@ -1,0 +1,2313 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="cs" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Soubor</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>Ú&amp;pravy</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Zobrazení</translation>
+    </message>
+    <message>
+        <source>&amp;Settings</source>
+        <translation>&amp;Nastavení</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Nápo&amp;věda</translation>
+    </message>
+    <message>
+        <source>&amp;Prepare Animation…</source>
+        <translation>&amp;Připravit animaci…</translation>
+    </message>
+    <message>
+        <source>Turn a folder of meshes, a point cache or a scene into an .anim file</source>
+        <translation>Vytvořit soubor .anim ze složky sítí, z mezipaměti bodů nebo ze scény</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Otevřít…</translation>
+    </message>
+    <message>
+        <source>Open an .anim file</source>
+        <translation>Otevřít soubor .anim</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Uložit</translation>
+    </message>
+    <message>
+        <source>Save the animation to its file</source>
+        <translation>Uložit animaci do jejího souboru</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Uložit &amp;jako…</translation>
+    </message>
+    <message>
+        <source>Save the animation to another file</source>
+        <translation>Uložit animaci do jiného souboru</translation>
+    </message>
+    <message>
+        <source>&amp;Frames…</source>
+        <translation>&amp;Snímky…</translation>
+    </message>
+    <message>
+        <source>Write every frame as an OBJ, OFF or PLY file</source>
+        <translation>Zapsat každý snímek jako soubor OBJ, OFF nebo PLY</translation>
+    </message>
+    <message>
+        <source>Point &amp;Cache…</source>
+        <translation>&amp;Mezipaměť bodů…</translation>
+    </message>
+    <message>
+        <source>Write all positions as one PC2 point cache</source>
+        <translation>Zapsat všechny polohy do jedné mezipaměti bodů PC2</translation>
+    </message>
+    <message>
+        <source>&amp;Screenshot…</source>
+        <translation>&amp;Obrázek…</translation>
+    </message>
+    <message>
+        <source>Write a picture of the frame shown</source>
+        <translation>Zapsat obrázek zobrazeného snímku</translation>
+    </message>
+    <message>
+        <source>Picture Se&amp;quence…</source>
+        <translation>&amp;Posloupnost obrázků…</translation>
+    </message>
+    <message>
+        <source>Write the playback as numbered PNG pictures</source>
+        <translation>Zapsat přehrávání jako číslované obrázky PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Načíst znovu</translation>
+    </message>
+    <message>
+        <source>Read the file again; camera and frame stay</source>
+        <translation>Načíst soubor znovu; kamera a snímek zůstanou</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Zavřít</translation>
+    </message>
+    <message>
+        <source>Close the animation</source>
+        <translation>Zavřít animaci</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>U&amp;končit</translation>
+    </message>
+    <message>
+        <source>Close all animations and quit</source>
+        <translation>Zavřít všechny animace a ukončit program</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Zpět</translation>
+    </message>
+    <message>
+        <source>Take back the last step</source>
+        <translation>Vrátit poslední krok</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Z&amp;novu</translation>
+    </message>
+    <message>
+        <source>Carry out the step that was taken back</source>
+        <translation>Znovu provést vrácený krok</translation>
+    </message>
+    <message>
+        <source>&amp;Trim to Range…</source>
+        <translation>&amp;Oříznout na rozsah…</translation>
+    </message>
+    <message>
+        <source>Keep only a range of frames</source>
+        <translation>Ponechat jen rozsah snímků</translation>
+    </message>
+    <message>
+        <source>Re&amp;verse</source>
+        <translation>O&amp;brátit</translation>
+    </message>
+    <message>
+        <source>Make the last frame the first</source>
+        <translation>Poslední snímek bude první</translation>
+    </message>
+    <message>
+        <source>Re&amp;sample…</source>
+        <translation>Pře&amp;vzorkovat…</translation>
+    </message>
+    <message>
+        <source>The same speed with more or fewer frames</source>
+        <translation>Stejná rychlost s více nebo méně snímky</translation>
+    </message>
+    <message>
+        <source>&amp;Frame Rate…</source>
+        <translation>&amp;Snímková frekvence…</translation>
+    </message>
+    <message>
+        <source>The same frames, played faster or slower</source>
+        <translation>Stejné snímky, přehrávané rychleji nebo pomaleji</translation>
+    </message>
+    <message>
+        <source>&amp;Normalise…</source>
+        <translation>&amp;Normalizovat…</translation>
+    </message>
+    <message>
+        <source>Move and scale the animation into the unit cube</source>
+        <translation>Posunout a zvětšit nebo zmenšit animaci do jednotkové krychle</translation>
+    </message>
+    <message>
+        <source>Re&amp;name…</source>
+        <translation>Pře&amp;jmenovat…</translation>
+    </message>
+    <message>
+        <source>Give the animation another name</source>
+        <translation>Dát animaci jiné jméno</translation>
+    </message>
+    <message>
+        <source>&amp;Shaded</source>
+        <translation>&amp;Stínovaně</translation>
+    </message>
+    <message>
+        <source>Draw smooth surfaces</source>
+        <translation>Kreslit hladké plochy</translation>
+    </message>
+    <message>
+        <source>Shaded with &amp;Edges</source>
+        <translation>Stínovaně s &amp;hranami</translation>
+    </message>
+    <message>
+        <source>Draw surfaces and the edges of their triangles</source>
+        <translation>Kreslit plochy a hrany jejich trojúhelníků</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>&amp;Drátový model</translation>
+    </message>
+    <message>
+        <source>Draw only the edges of the triangles</source>
+        <translation>Kreslit jen hrany trojúhelníků</translation>
+    </message>
+    <message>
+        <source>&amp;Points</source>
+        <translation>&amp;Body</translation>
+    </message>
+    <message>
+        <source>Draw only the vertices</source>
+        <translation>Kreslit jen vrcholy</translation>
+    </message>
+    <message>
+        <source>S&amp;tatistics</source>
+        <translation>S&amp;tatistika</translation>
+    </message>
+    <message>
+        <source>Show sizes and times over the picture</source>
+        <translation>Zobrazit přes obraz velikosti a časy</translation>
+    </message>
+    <message>
+        <source>&amp;Fit to Window</source>
+        <translation>&amp;Přizpůsobit oknu</translation>
+    </message>
+    <message>
+        <source>Move the camera so that everything is seen</source>
+        <translation>Posunout kameru tak, aby bylo vidět vše</translation>
+    </message>
+    <message>
+        <source>&amp;Next Animation</source>
+        <translation>&amp;Další animace</translation>
+    </message>
+    <message>
+        <source>Show the next tab</source>
+        <translation>Zobrazit další kartu</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Animation</source>
+        <translation>P&amp;ředchozí animace</translation>
+    </message>
+    <message>
+        <source>Show the previous tab</source>
+        <translation>Zobrazit předchozí kartu</translation>
+    </message>
+    <message>
+        <source>F&amp;ull Screen</source>
+        <translation>&amp;Celá obrazovka</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Použít celou obrazovku</translation>
+    </message>
+    <message>
+        <source>Configure &amp;Shortcuts…</source>
+        <translation>Nastavit &amp;zkratky…</translation>
+    </message>
+    <message>
+        <source>Choose the keys of every action</source>
+        <translation>Zvolit klávesy všech akcí</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard Shortcuts</source>
+        <translation>&amp;Klávesové zkratky</translation>
+    </message>
+    <message>
+        <source>Show all keys on one page</source>
+        <translation>Zobrazit všechny klávesy na jedné stránce</translation>
+    </message>
+    <message>
+        <source>&amp;Licences</source>
+        <translation>&amp;Licence</translation>
+    </message>
+    <message>
+        <source>The libraries that Sandreel is made with, and their licences</source>
+        <translation>Knihovny, které Sandreel používá, a jejich licence</translation>
+    </message>
+    <message>
+        <source>&amp;About Sandreel</source>
+        <translation>&amp;O programu Sandreel</translation>
+    </message>
+    <message>
+        <source>What this program is</source>
+        <translation>Co je to za program</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Zpět: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>Z&amp;novu: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>Přehrá&amp;vání</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Otevřít &amp;nedávné</translation>
+    </message>
+    <message>
+        <source>Open Sa&amp;mple</source>
+        <translation>Otevřít &amp;ukázku</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportovat</translation>
+    </message>
+    <message>
+        <source>&amp;Docks</source>
+        <translation>&amp;Panely</translation>
+    </message>
+    <message>
+        <source>&amp;Toolbars</source>
+        <translation>Panely &amp;nástrojů</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Jazyk</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Motiv</translation>
+    </message>
+    <message>
+        <source>Like the &amp;System</source>
+        <translation>Podle &amp;systému</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Světlý</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Tmavý</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (chybí)</translation>
+    </message>
+    <message>
+        <source>No Recent Files</source>
+        <translation>Žádné nedávné soubory</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>&amp;Vymazat seznam</translation>
+    </message>
+    <message>
+        <source>No Samples</source>
+        <translation>Žádné ukázky</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>Sandreel prepares, opens and plays mesh animations.</source>
+        <translation>Sandreel připravuje, otevírá a přehrává animace sítí.</translation>
+    </message>
+    <message>
+        <source>Language of the interface: en or cs.</source>
+        <translation>Jazyk rozhraní: en nebo cs.</translation>
+    </message>
+    <message>
+        <source>Colours: light, dark or system.</source>
+        <translation>Barvy: light (světlé), dark (tmavé) nebo system (podle systému).</translation>
+    </message>
+    <message>
+        <source>Size of the window, for example 1280x800.</source>
+        <translation>Velikost okna, například 1280x800.</translation>
+    </message>
+    <message>
+        <source>Go to this frame; the first is 1.</source>
+        <translation>Přejít na tento snímek; první má číslo 1.</translation>
+    </message>
+    <message>
+        <source>Start playing.</source>
+        <translation>Spustit přehrávání.</translation>
+    </message>
+    <message>
+        <source>Write a picture of the window to FILE and quit.</source>
+        <translation>Zapsat obrázek okna do souboru FILE a skončit.</translation>
+    </message>
+    <message>
+        <source>Wait this many milliseconds after everything is open.</source>
+        <translation>Po otevření všeho počkat tolik milisekund.</translation>
+    </message>
+    <message>
+        <source>Animations to open; folders, point caches, scenes and meshes to prepare.</source>
+        <translation>Animace k otevření; složky, mezipaměti bodů, scény a sítě k přípravě.</translation>
+    </message>
+    <message>
+        <source>Option --%1 does not take the value &quot;%2&quot;.</source>
+        <translation>Přepínač --%1 nemůže mít hodnotu „%2“.</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorText</name>
+    <message>
+        <source>The folder holds no frames. Files ending in %1 are taken as frames.</source>
+        <translation>Ve složce nejsou žádné snímky. Za snímky se považují soubory s příponou %1.</translation>
+    </message>
+    <message>
+        <source>Files ending in &quot;%1&quot; cannot be read.</source>
+        <translation>Soubory s příponou „%1“ nelze číst.</translation>
+    </message>
+    <message>
+        <source>Expected %1, but found %2.</source>
+        <translation>Očekáváno %1, nalezeno %2.</translation>
+    </message>
+    <message>
+        <source>A number is infinite or not a number: %1.</source>
+        <translation>Hodnota je nekonečná nebo to není číslo: %1.</translation>
+    </message>
+    <message>
+        <source>A face uses vertex %1, but there are %2 vertices.</source>
+        <translation>Stěna používá vrchol %1, ale počet vrcholů je %2.</translation>
+    </message>
+    <message>
+        <source>The mesh has no vertices.</source>
+        <translation>Síť nemá žádné vrcholy.</translation>
+    </message>
+    <message>
+        <source>This mesh has %1 vertices, but %3 has %2. All frames of an animation need the same vertices and faces.</source>
+        <translation>Tato síť má vrcholů: %1, ale %3 jich má: %2. Všechny snímky animace musí mít stejné vrcholy a stěny.</translation>
+    </message>
+    <message>
+        <source>Triangle %1 differs from that in %2. All frames of an animation need the same faces in the same order.</source>
+        <translation>Trojúhelník %1 se liší od trojúhelníku v souboru %2. Všechny snímky animace musí mít stejné stěny ve stejném pořadí.</translation>
+    </message>
+    <message>
+        <source>This mesh has %1 triangles, but %3 has %2. All frames of an animation need the same faces.</source>
+        <translation>Tato síť má trojúhelníků: %1, ale %3 jich má: %2. Všechny snímky animace musí mít stejné stěny.</translation>
+    </message>
+    <message>
+        <source>The file ends too early: %1 bytes are needed, %2 are there. It may have been copied incompletely.</source>
+        <translation>Soubor končí příliš brzy: potřebných bajtů je %1, k dispozici jen %2. Možná se nezkopíroval celý.</translation>
+    </message>
+    <message>
+        <source>There are %1 bytes too many at the end. The file may be damaged.</source>
+        <translation>Na konci jsou přebytečné bajty, celkem %1. Soubor je možná poškozený.</translation>
+    </message>
+    <message>
+        <source>The file is not a %1 file: it does not start as one.</source>
+        <translation>Toto není soubor %1: nezačíná tak, jak má.</translation>
+    </message>
+    <message>
+        <source>The file has format version %1, but this program reads versions up to %2. A newer program may open it.</source>
+        <translation>Soubor má verzi formátu %1, ale tento program čte jen verze do %2. Novější program ho možná otevře.</translation>
+    </message>
+    <message>
+        <source>The file uses something that cannot be read: %1.</source>
+        <translation>Soubor používá něco, co nelze číst: %1.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: the checksum of its part &quot;%1&quot; is wrong.</source>
+        <translation>Soubor je poškozený: nesouhlasí kontrolní součet části „%1“.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: its part &quot;%1&quot; is missing.</source>
+        <translation>Soubor je poškozený: chybí část „%1“.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: it has its part &quot;%1&quot; twice.</source>
+        <translation>Soubor je poškozený: část „%1“ je v něm dvakrát.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: %1 is %2, but must be %3.</source>
+        <translation>Soubor je poškozený: hodnota %1 je %2, ale má být %3.</translation>
+    </message>
+    <message>
+        <source>The file was compressed with method %1, which this program does not know. A newer program may open it.</source>
+        <translation>Soubor byl zkomprimován metodou %1, kterou tento program nezná. Novější program ho možná otevře.</translation>
+    </message>
+    <message>
+        <source>The compressed data are damaged (%1).</source>
+        <translation>Komprimovaná data jsou poškozená (%1).</translation>
+    </message>
+    <message>
+        <source>A point cache has no faces of its own. Put its mesh beside it under the same name (for example walk.obj for walk.pc2), or choose one.</source>
+        <translation>Mezipaměť bodů nemá vlastní stěny. Uložte vedle ní její síť pod stejným jménem (například walk.obj k walk.pc2), nebo ji vyberte.</translation>
+    </message>
+    <message>
+        <source>The scene has nothing to animate: %1.</source>
+        <translation>Ve scéně není co animovat: %1.</translation>
+    </message>
+    <message>
+        <source>The scene cannot be read: %1</source>
+        <translation>Scénu nelze přečíst: %1</translation>
+    </message>
+    <message>
+        <source>The two animations cannot be compared: %1 is %2 in one and %3 in the other.</source>
+        <translation>Tyto dvě animace nelze porovnat: %1 je v jedné %2 a ve druhé %3.</translation>
+    </message>
+    <message>
+        <source>This is not a permutation of the vertices: %1.</source>
+        <translation>Toto není permutace vrcholů: %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2. Allowed: %3.</source>
+        <translation>%1 nemůže být %2. Povoleno: %3.</translation>
+    </message>
+    <message>
+        <source>The file cannot be opened: %1.</source>
+        <translation>Soubor nelze otevřít: %1.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1.</source>
+        <translation>Soubor nelze přečíst: %1.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1. Check the free space and the permissions.</source>
+        <translation>Soubor nelze zapsat: %1. Zkontrolujte volné místo a oprávnění.</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder.</source>
+        <translation>Takový soubor ani složka neexistuje.</translation>
+    </message>
+    <message>
+        <source>Too large: %1 is %2, the limit is %3.</source>
+        <translation>Příliš velké: %1 je %2, mez je %3.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory: %1 bytes are needed. Close other programs or use a smaller animation.</source>
+        <translation>Nedostatek paměti: potřebných bajtů je %1. Zavřete jiné programy nebo použijte menší animaci.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Zrušeno.</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Řádek %1</translation>
+    </message>
+    <message>
+        <source>Byte %1</source>
+        <translation>Bajt %1</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, řádek %2</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, bajt %2</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Uložit</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Uložit vše</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otevřít</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ano</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Ne</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zavřít</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Zahodit</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Nápověda</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Cloth</source>
+        <translation>Látka</translation>
+    </message>
+    <message>
+        <source>Jellyfish</source>
+        <translation>Medúza</translation>
+    </message>
+    <message>
+        <source>Walker</source>
+        <translation>Chodec</translation>
+    </message>
+</context>
+<context>
+    <name>Undo</name>
+    <message>
+        <source>Remove Normalisation</source>
+        <translation>Zrušit normalizaci</translation>
+    </message>
+    <message>
+        <source>Normalise Animation</source>
+        <translation>Normalizovat animaci</translation>
+    </message>
+    <message>
+        <source>Rename Animation</source>
+        <translation>Přejmenovat animaci</translation>
+    </message>
+    <message>
+        <source>Resample to %1 fps</source>
+        <translation>Převzorkovat na %1 sn./s</translation>
+    </message>
+    <message>
+        <source>Reverse Animation</source>
+        <translation>Obrátit animaci</translation>
+    </message>
+    <message>
+        <source>Set Basis Size to %1</source>
+        <translation>Nastavit velikost báze na %1</translation>
+    </message>
+    <message>
+        <source>Set Resolution to %1</source>
+        <translation>Nastavit rozlišení na %1</translation>
+    </message>
+    <message>
+        <source>Change Compression</source>
+        <translation>Změnit kompresi</translation>
+    </message>
+    <message>
+        <source>Play at %1 fps</source>
+        <translation>Přehrávat rychlostí %1 sn./s</translation>
+    </message>
+    <message numerus="yes">
+        <source>Trim to %n Frame(s)</source>
+        <translation>
+            <numerusform>Oříznout na %n snímek</numerusform>
+            <numerusform>Oříznout na %n snímky</numerusform>
+            <numerusform>Oříznout na %n snímků</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>editor::DocumentTab</name>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Otevírá se %1…</translation>
+    </message>
+    <message>
+        <source>Progress of opening</source>
+        <translation>Průběh otevírání</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>The picture cannot be drawn</source>
+        <translation>Obraz nelze vykreslit</translation>
+    </message>
+    <message>
+        <source>Sandreel draws with OpenGL 3.3 or newer. %1 Installing or updating the graphics driver usually helps. Everything else works: the animation can be edited, saved and exported.</source>
+        <translation>Sandreel kreslí pomocí OpenGL 3.3 nebo novějšího. %1 Obvykle pomůže nainstalovat nebo aktualizovat ovladač grafické karty. Všechno ostatní funguje: animaci lze upravovat, ukládat i exportovat.</translation>
+    </message>
+    <message>
+        <source>This computer offers no OpenGL.</source>
+        <translation>Tento počítač žádné OpenGL nenabízí.</translation>
+    </message>
+    <message>
+        <source>This computer offers only OpenGL %1.</source>
+        <translation>Tento počítač nabízí jen OpenGL %1.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::DropTarget</name>
+    <message>
+        <source>Drop to open</source>
+        <translation>Puštěním otevřete</translation>
+    </message>
+</context>
+<context>
+    <name>editor::FileActions</name>
+    <message>
+        <source>%1 cannot be opened.</source>
+        <translation>%1 nelze otevřít.</translation>
+    </message>
+    <message>
+        <source>Open Animations</source>
+        <translation>Otevřít animace</translation>
+    </message>
+    <message>
+        <source>Animations (*.anim);;All files (*)</source>
+        <translation>Animace (*.anim);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Save Animation As</source>
+        <translation>Uložit animaci jako</translation>
+    </message>
+    <message>
+        <source>Animations (*.anim)</source>
+        <translation>Animace (*.anim)</translation>
+    </message>
+    <message>
+        <source>File Changed</source>
+        <translation>Soubor se změnil</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was opened.</source>
+        <translation>Soubor %1 byl od otevření změněn jiným programem.</translation>
+    </message>
+    <message>
+        <source>Saving replaces those changes by yours.</source>
+        <translation>Uložením tyto změny nahradíte svými.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Nahradit</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Načíst znovu</translation>
+    </message>
+    <message>
+        <source>Reloading drops the unsaved changes of %1.</source>
+        <translation>Opětovným načtením se zahodí neuložené změny animace %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Neuložené změny</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved changes.</source>
+        <translation>Animace %1 má neuložené změny.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n animation(s) have unsaved changes.</source>
+        <translation>
+            <numerusform>%n animace má neuložené změny.</numerusform>
+            <numerusform>%n animace mají neuložené změny.</numerusform>
+            <numerusform>%n animací má neuložené změny.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Save All</source>
+        <translation>&amp;Uložit vše</translation>
+    </message>
+    <message>
+        <source>&amp;Discard All</source>
+        <translation>&amp;Zahodit vše</translation>
+    </message>
+    <message>
+        <source>Opened %1: %L2 vertices, %L3 frames</source>
+        <translation>Otevřeno %1; vrcholů: %L2, snímků: %L3</translation>
+    </message>
+    <message>
+        <source>Saved %1 (%2)</source>
+        <translation>Uloženo %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 was not saved.</source>
+        <translation>Soubor %1 nebyl uložen.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::HelpActions</name>
+    <message>
+        <source>Mouse in the Picture</source>
+        <translation>Myš v obraze</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Otáčení</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Tažení levým tlačítkem</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Posun</translation>
+    </message>
+    <message>
+        <source>Middle drag, or Shift+left drag</source>
+        <translation>Tažení prostředním, nebo Shift a levým tlačítkem</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Přiblížení</translation>
+    </message>
+    <message>
+        <source>Wheel, or right drag</source>
+        <translation>Kolečko, nebo tažení pravým tlačítkem</translation>
+    </message>
+    <message>
+        <source>Close a tab</source>
+        <translation>Zavření karty</translation>
+    </message>
+    <message>
+        <source>Middle click on it</source>
+        <translation>Kliknutí prostředním tlačítkem na kartu</translation>
+    </message>
+    <message>
+        <source>Keyboard Shortcuts</source>
+        <translation>Klávesové zkratky</translation>
+    </message>
+    <message>
+        <source>Sandreel is free software under the GNU General Public License, version 3 or later. It is made with these libraries:</source>
+        <translation>Sandreel je svobodný software pod licencí GNU General Public License verze 3 nebo novější. Používá tyto knihovny:</translation>
+    </message>
+    <message>
+        <source>Licences</source>
+        <translation>Licence</translation>
+    </message>
+    <message>
+        <source>About Sandreel</source>
+        <translation>O programu Sandreel</translation>
+    </message>
+    <message>
+        <source>Prepares, opens and plays mesh animations.</source>
+        <translation>Připravuje, otevírá a přehrává animace sítí.</translation>
+    </message>
+    <message>
+        <source>Qt %1</source>
+        <translation>Qt %1</translation>
+    </message>
+    <message>
+        <source>No OpenGL</source>
+        <translation>Bez OpenGL</translation>
+    </message>
+    <message>
+        <source>OpenGL %1</source>
+        <translation>OpenGL %1</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later. It comes without any warranty.</source>
+        <translation>Svobodný software pod licencí GNU General Public License verze 3 nebo novější. Poskytuje se bez jakékoli záruky.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::MainWindow</name>
+    <message>
+        <source>File Toolbar</source>
+        <translation>Panel souboru</translation>
+    </message>
+    <message>
+        <source>Edit Toolbar</source>
+        <translation>Panel úprav</translation>
+    </message>
+    <message>
+        <source>View Toolbar</source>
+        <translation>Panel zobrazení</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ShortcutDialog</name>
+    <message>
+        <source>&amp;Assign</source>
+        <translation>&amp;Přiřadit</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Odebrat</translation>
+    </message>
+    <message>
+        <source>&amp;Default</source>
+        <translation>&amp;Výchozí</translation>
+    </message>
+    <message>
+        <source>Configure Shortcuts</source>
+        <translation>Nastavit zkratky</translation>
+    </message>
+    <message>
+        <source>Search actions or keys</source>
+        <translation>Hledat akce nebo klávesy</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Hledat</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Akce</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Zkratka</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Akce</translation>
+    </message>
+    <message>
+        <source>New shortcut</source>
+        <translation>Nová zkratka</translation>
+    </message>
+    <message>
+        <source>Press the keys</source>
+        <translation>Stiskněte klávesy</translation>
+    </message>
+    <message>
+        <source>&amp;New shortcut:</source>
+        <translation>&amp;Nová zkratka:</translation>
+    </message>
+    <message>
+        <source>Default for A&amp;ll</source>
+        <translation>Výchozí pro &amp;všechny</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>&amp;Take Over</source>
+        <translation>P&amp;řevzít</translation>
+    </message>
+    <message>
+        <source>%1 already belongs to %2, which would lose it.</source>
+        <translation>%1 už patří akci %2, která by zkratku ztratila.</translation>
+    </message>
+    <message>
+        <source>Some default keys belong to other actions now and stay there.</source>
+        <translation>Některé výchozí klávesy teď patří jiným akcím a zůstávají u nich.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::StatusPanel</name>
+    <message>
+        <source>Drop an .anim file, a folder of meshes, a point cache or a scene here</source>
+        <translation>Přetáhněte sem soubor .anim, složku sítí, mezipaměť bodů nebo scénu</translation>
+    </message>
+    <message>
+        <source>Drag: orbit   Shift+drag: pan   Wheel: zoom   Space: play</source>
+        <translation>Tažení: otáčení   Shift+tažení: posun   Kolečko: přiblížení   Mezerník: přehrávání</translation>
+    </message>
+    <message>
+        <source>V %1</source>
+        <comment>number of vertices</comment>
+        <translation>V %1</translation>
+    </message>
+    <message>
+        <source>T %1</source>
+        <comment>number of triangles</comment>
+        <translation>T %1</translation>
+    </message>
+    <message>
+        <source>F %1</source>
+        <comment>number of frames</comment>
+        <translation>S %1</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 sn./s</translation>
+    </message>
+    <message>
+        <source>Vertices, triangles, frames, frame rate, size of the file</source>
+        <translation>Vrcholy, trojúhelníky, snímky, snímková frekvence, velikost souboru</translation>
+    </message>
+</context>
+<context>
+    <name>editor::WelcomePage</name>
+    <message>
+        <source>Prepares, opens and plays mesh animations</source>
+        <translation>Připravuje, otevírá a přehrává animace sítí</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Ukázky</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Nedávné</translation>
+    </message>
+    <message>
+        <source>You can also drop files here: an .anim file, a folder of OBJ, OFF, PLY or STL meshes, a PC2 or MDD point cache, or a glTF or FBX scene.</source>
+        <translation>Soubory sem můžete také přetáhnout: soubor .anim, složku sítí OBJ, OFF, PLY nebo STL, mezipaměť bodů PC2 nebo MDD nebo scénu glTF či FBX.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::Workspace</name>
+    <message>
+        <source>Sample, not saved to a file yet</source>
+        <translation>Ukázka, zatím neuložená do souboru</translation>
+    </message>
+    <message>
+        <source>Has unsaved changes</source>
+        <translation>Má neuložené změny</translation>
+    </message>
+    <message>
+        <source>Open animations</source>
+        <translation>Otevřené animace</translation>
+    </message>
+</context>
+<context>
+    <name>views</name>
+    <message>
+        <source>Vertices</source>
+        <translation>Vrcholy</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Frames/s</source>
+        <translation>Snímky/s</translation>
+    </message>
+    <message>
+        <source>Decode</source>
+        <translation>Dekódování</translation>
+    </message>
+    <message>
+        <source>Upload</source>
+        <translation>Přenos</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Kreslení</translation>
+    </message>
+</context>
+<context>
+    <name>views::AnimationViewport</name>
+    <message>
+        <source>Animation</source>
+        <translation>Animace</translation>
+    </message>
+    <message>
+        <source>The mesh in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it.</source>
+        <translation>Síť v prostoru. Šipky ji otáčejí, plus a minus přibližují a oddalují, F ji ukáže celou.</translation>
+    </message>
+    <message>
+        <source>The graphics driver refused a shader:
+%1</source>
+        <translation>Ovladač grafické karty odmítl shader:
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>views::CompressionDock</name>
+    <message>
+        <source>Compression</source>
+        <translation>Komprese</translation>
+    </message>
+    <message>
+        <source>When Saved</source>
+        <translation>Při uložení</translation>
+    </message>
+    <message>
+        <source>&amp;Measure Size and Error</source>
+        <translation>&amp;Změřit velikost a chybu</translation>
+    </message>
+    <message>
+        <source>Compress with these settings, without saving, and compare the result with the animation</source>
+        <translation>Zkomprimovat s tímto nastavením bez uložení a porovnat výsledek s animací</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Měření…</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Soubor</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Velikost:</translation>
+    </message>
+    <message>
+        <source>As float32:</source>
+        <translation>Jako float32:</translation>
+    </message>
+    <message>
+        <source>Ratio:</source>
+        <translation>Poměr:</translation>
+    </message>
+    <message>
+        <source>Bits per V × F:</source>
+        <translation>Bitů na V × S:</translation>
+    </message>
+    <message>
+        <source>Basis vectors:</source>
+        <translation>Vektorů báze:</translation>
+    </message>
+    <message>
+        <source>Written by:</source>
+        <translation>Zapsal:</translation>
+    </message>
+    <message>
+        <source>Bits for each vertex of each frame, everything in the file included</source>
+        <translation>Bity na každý vrchol každého snímku, počítáno vše, co je v souboru</translation>
+    </message>
+    <message>
+        <source>Basis vectors kept; an animation of lower rank keeps fewer than asked for</source>
+        <translation>Počet zachovaných vektorů báze; animace nižší hodnosti jich zachová méně, než bylo požadováno</translation>
+    </message>
+    <message>
+        <source>Parts of the file</source>
+        <translation>Části souboru</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Část</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bajty</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Podíl</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1, ratio %2, %3 bits per vertex and frame
+KG error %4 %, RMSE %5, largest error %6</source>
+        <translation>%1, poměr %2, %3 bitu na vrchol a snímek
+Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
+    </message>
+</context>
+<context>
+    <name>views::CompressionFields</name>
+    <message>
+        <source>Codec</source>
+        <translation>Kodek</translation>
+    </message>
+    <message>
+        <source>&amp;Codec:</source>
+        <translation>&amp;Kodek:</translation>
+    </message>
+    <message>
+        <source>&amp;Basis size:</source>
+        <translation>Velikost &amp;báze:</translation>
+    </message>
+    <message>
+        <source>Basis size</source>
+        <translation>Velikost báze</translation>
+    </message>
+    <message>
+        <source>more: larger and more exact</source>
+        <translation>více: větší a přesnější</translation>
+    </message>
+    <message>
+        <source>Number of movements that the animation is put together from.</source>
+        <translation>Počet pohybů, ze kterých se animace skládá.</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>&amp;Rozlišení:</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Rozlišení</translation>
+    </message>
+    <message>
+        <source>steps per unit of length</source>
+        <translation>kroků na jednotku délky</translation>
+    </message>
+    <message>
+        <source>How finely numbers are rounded. Normalise, so that it means the same for every animation.</source>
+        <translation>Jak jemně se čísla zaokrouhlují. Po normalizaci znamená pro každou animaci totéž.</translation>
+    </message>
+    <message>
+        <source>PCA</source>
+        <translation>PCA</translation>
+    </message>
+    <message>
+        <source>%1, basis %2, resolution %3</source>
+        <translation>%1, báze %2, rozlišení %3</translation>
+    </message>
+</context>
+<context>
+    <name>views::ExportDialog</name>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportovat</translation>
+    </message>
+    <message>
+        <source>Show in Folde&amp;r</source>
+        <translation>Zobrazit ve slož&amp;ce</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Zapisuje se…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zavřít</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapsáno: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was left behind.</source>
+        <translation>Zrušeno. Nic po sobě nezanechal.</translation>
+    </message>
+    <message>
+        <source>Already there: %1. Replace?</source>
+        <translation>Už existuje: %1. Nahradit?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Nahradit</translation>
+    </message>
+</context>
+<context>
+    <name>views::ExportFramesDialog</name>
+    <message>
+        <source>Export Frames</source>
+        <translation>Export snímků</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Složka</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formát</translation>
+    </message>
+    <message>
+        <source>OBJ (text)</source>
+        <translation>OBJ (textový)</translation>
+    </message>
+    <message>
+        <source>OFF (text)</source>
+        <translation>OFF (textový)</translation>
+    </message>
+    <message>
+        <source>PLY (binary)</source>
+        <translation>PLY (binární)</translation>
+    </message>
+    <message>
+        <source>F&amp;older:</source>
+        <translation>S&amp;ložka:</translation>
+    </message>
+    <message>
+        <source>For&amp;mat:</source>
+        <translation>For&amp;mát:</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>Zvolte složku.</translation>
+    </message>
+    <message>
+        <source>The folder is a file.</source>
+        <translation>To není složka, ale soubor.</translation>
+    </message>
+    <message>
+        <source>The folder that shall hold the new folder does not exist.</source>
+        <translation>Složka, ve které má nová složka vzniknout, neexistuje.</translation>
+    </message>
+    <message>
+        <source>The folder holds frames already. Choose another one, so that they do not mix.</source>
+        <translation>Ve složce už jsou snímky. Zvolte jinou, aby se nepomíchaly.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) will be written.</source>
+        <translation>
+            <numerusform>Zapíše se %n soubor.</numerusform>
+            <numerusform>Zapíšou se %n soubory.</numerusform>
+            <numerusform>Zapíše se %n souborů.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>views::ExportPicturesDialog</name>
+    <message>
+        <source>Export Pictures</source>
+        <translation>Export obrázků</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Složka</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Pořadí</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Dopředu</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>Pozpátku</translation>
+    </message>
+    <message>
+        <source>There and back</source>
+        <translation>Tam a zpět</translation>
+    </message>
+    <message>
+        <source>F&amp;older:</source>
+        <translation>S&amp;ložka:</translation>
+    </message>
+    <message>
+        <source>Or&amp;der:</source>
+        <translation>Po&amp;řadí:</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>Zvolte složku.</translation>
+    </message>
+    <message>
+        <source>The folder is a file.</source>
+        <translation>To není složka, ale soubor.</translation>
+    </message>
+    <message>
+        <source>The folder that shall hold the new folder does not exist.</source>
+        <translation>Složka, ve které má nová složka vzniknout, neexistuje.</translation>
+    </message>
+    <message>
+        <source>The folder holds pictures already. Choose another one, so that they do not mix.</source>
+        <translation>Ve složce už jsou obrázky. Zvolte jinou, aby se nepomíchaly.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s) of %1 × %2 pixels. At %3 frames per second they last %4.</source>
+        <translation>
+            <numerusform>%n obrázek %1 × %2 pixelů. Při %3 snímcích za sekundu trvá %4.</numerusform>
+            <numerusform>%n obrázky %1 × %2 pixelů. Při %3 snímcích za sekundu trvají %4.</numerusform>
+            <numerusform>%n obrázků %1 × %2 pixelů. Při %3 snímcích za sekundu trvají %4.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>views::ExportPointCacheDialog</name>
+    <message>
+        <source>Export Point Cache</source>
+        <translation>Export mezipaměti bodů</translation>
+    </message>
+    <message>
+        <source>Output File</source>
+        <translation>Výstupní soubor</translation>
+    </message>
+    <message>
+        <source>Write the &amp;base mesh beside it</source>
+        <translation>Zapsat vedle ní &amp;základní síť</translation>
+    </message>
+    <message>
+        <source>PC2 Point Caches (%1)</source>
+        <translation>Mezipaměti bodů PC2 (%1)</translation>
+    </message>
+    <message>
+        <source>A point cache holds positions alone; the triangles are in its base mesh.</source>
+        <translation>Mezipaměť bodů obsahuje jen polohy; trojúhelníky jsou v základní síti.</translation>
+    </message>
+    <message>
+        <source>&amp;Output file:</source>
+        <translation>&amp;Výstupní soubor:</translation>
+    </message>
+    <message>
+        <source>%1 and its base mesh %2 will be written.</source>
+        <translation>Zapíše se %1 a základní síť %2.</translation>
+    </message>
+    <message>
+        <source>%1 will be written.</source>
+        <translation>Zapíše se %1.</translation>
+    </message>
+</context>
+<context>
+    <name>views::FoundSource</name>
+    <message>
+        <source>Folder of %1 frames</source>
+        <translation>Složka snímků %1</translation>
+    </message>
+    <message>
+        <source>%1 mesh</source>
+        <translation>Síť %1</translation>
+    </message>
+    <message>
+        <source>%1 point cache</source>
+        <translation>Mezipaměť bodů %1</translation>
+    </message>
+    <message>
+        <source>%1 scene</source>
+        <translation>Scéna %1</translation>
+    </message>
+    <message>
+        <source>Encoded animation</source>
+        <translation>Zakódovaná animace</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder.</source>
+        <translation>Takový soubor ani složka neexistuje.</translation>
+    </message>
+    <message>
+        <source>You may not read it.</source>
+        <translation>Nemáte právo ho číst.</translation>
+    </message>
+    <message>
+        <source>The file has no ending that tells its format.</source>
+        <translation>Soubor nemá příponu, podle které by se poznal jeho formát.</translation>
+    </message>
+    <message>
+        <source>Files with the ending “.%1” cannot be read.</source>
+        <translation>Soubory s příponou „.%1“ nelze číst.</translation>
+    </message>
+    <message>
+        <source>Everything Readable (%1)</source>
+        <translation>Vše, co lze číst (%1)</translation>
+    </message>
+    <message>
+        <source>Point Caches (%1)</source>
+        <translation>Mezipaměti bodů (%1)</translation>
+    </message>
+    <message>
+        <source>Scenes (%1)</source>
+        <translation>Scény (%1)</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>Sítě (%1)</translation>
+    </message>
+    <message>
+        <source>Encoded Animations (%1)</source>
+        <translation>Zakódované animace (%1)</translation>
+    </message>
+    <message>
+        <source>All Files (%1)</source>
+        <translation>Všechny soubory (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>views::FramePicture</name>
+    <message>
+        <source>Preview</source>
+        <translation>Náhled</translation>
+    </message>
+    <message>
+        <source>Drag to turn, double-click to look from the start again</source>
+        <translation>Tažením otočíte, dvojklikem se vrátíte k původnímu pohledu</translation>
+    </message>
+</context>
+<context>
+    <name>views::FramePreview</name>
+    <message>
+        <source>Frame of the preview</source>
+        <translation>Snímek náhledu</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Snímek %1 z %2</translation>
+    </message>
+</context>
+<context>
+    <name>views::FrameRangeFields</name>
+    <message>
+        <source>First frame</source>
+        <translation>První snímek</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Poslední snímek</translation>
+    </message>
+    <message>
+        <source>F&amp;irst frame:</source>
+        <translation>&amp;První snímek:</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame:</source>
+        <translation>P&amp;oslední snímek:</translation>
+    </message>
+    <message>
+        <source>The first frame must not come after the last.</source>
+        <translation>První snímek nesmí být až za posledním.</translation>
+    </message>
+</context>
+<context>
+    <name>views::FrameRateDialog</name>
+    <message>
+        <source>Frame Rate</source>
+        <translation>Snímková frekvence</translation>
+    </message>
+    <message>
+        <source>&amp;Set Frame Rate</source>
+        <translation>&amp;Nastavit frekvenci</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Snímková frekvence</translation>
+    </message>
+    <message>
+        <source>frames per second</source>
+        <translation>snímků za sekundu</translation>
+    </message>
+    <message>
+        <source>&amp;Frame rate:</source>
+        <translation>&amp;Snímková frekvence:</translation>
+    </message>
+    <message>
+        <source>Duration: %1 → %2. The frames stay as they are.</source>
+        <translation>Délka: %1 → %2. Snímky se nemění.</translation>
+    </message>
+</context>
+<context>
+    <name>views::HistoryDock</name>
+    <message>
+        <source>As Opened</source>
+        <translation>Po otevření</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historie</translation>
+    </message>
+    <message>
+        <source>Steps of the animation</source>
+        <translation>Kroky úprav animace</translation>
+    </message>
+</context>
+<context>
+    <name>views::JobPanel</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Průběh</translation>
+    </message>
+    <message>
+        <source>about %1 left</source>
+        <translation>zbývá asi %1</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Zastavuje se…</translation>
+    </message>
+    <message>
+        <source>almost done</source>
+        <translation>téměř hotovo</translation>
+    </message>
+</context>
+<context>
+    <name>views::LogDock</name>
+    <message>
+        <source>Log</source>
+        <translation>Záznam</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopírovat</translation>
+    </message>
+    <message>
+        <source>Copy the selected messages, or all</source>
+        <translation>Kopírovat vybrané zprávy, nebo všechny</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vymazat</translation>
+    </message>
+    <message>
+        <source>Clear the log</source>
+        <translation>Vymazat záznam</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Zprávy</translation>
+    </message>
+</context>
+<context>
+    <name>views::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Čas</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Druh</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Zpráva</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Informace</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Varování</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Chyba</translation>
+    </message>
+</context>
+<context>
+    <name>views::MessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Zavřít</translation>
+    </message>
+    <message>
+        <source>Dismiss Message</source>
+        <translation>Zavřít zprávu</translation>
+    </message>
+</context>
+<context>
+    <name>views::NormalisationChoice</name>
+    <message>
+        <source>Normalise</source>
+        <translation>Normalizace</translation>
+    </message>
+    <message>
+        <source>No, keep coordinates</source>
+        <translation>Ne, ponechat souřadnice</translation>
+    </message>
+    <message>
+        <source>First frame fills the cube from −1 to 1</source>
+        <translation>První snímek vyplní krychli od −1 do 1</translation>
+    </message>
+    <message>
+        <source>All frames fill the cube from −1 to 1</source>
+        <translation>Všechny snímky vyplní krychli od −1 do 1</translation>
+    </message>
+    <message>
+        <source>not normalised</source>
+        <translation>bez normalizace</translation>
+    </message>
+    <message>
+        <source>normalised by the first frame</source>
+        <translation>normalizováno podle prvního snímku</translation>
+    </message>
+    <message>
+        <source>normalised by all frames</source>
+        <translation>normalizováno podle všech snímků</translation>
+    </message>
+</context>
+<context>
+    <name>views::NormaliseDialog</name>
+    <message>
+        <source>Normalise Animation</source>
+        <translation>Normalizovat animaci</translation>
+    </message>
+    <message>
+        <source>&amp;Normalise</source>
+        <translation>&amp;Normalizovat</translation>
+    </message>
+    <message>
+        <source>&amp;Mode:</source>
+        <translation>&amp;Způsob:</translation>
+    </message>
+    <message>
+        <source>Looking at every frame…</source>
+        <translation>Procházejí se všechny snímky…</translation>
+    </message>
+    <message>
+        <source>The animation goes back to the coordinates of its file.</source>
+        <translation>Animace se vrátí k souřadnicím ze souboru.</translation>
+    </message>
+    <message>
+        <source>The animation is moved and scaled, by one factor for all axes. Doing it again changes nothing.</source>
+        <translation>Animace se posune a změní se její měřítko, pro všechny osy stejně. Opakování už nic nezmění.</translation>
+    </message>
+</context>
+<context>
+    <name>views::NumberField</name>
+    <message>
+        <source>%1: enter %2.</source>
+        <translation>%1: zadejte %2.</translation>
+    </message>
+    <message>
+        <source>Allowed: %1</source>
+        <translation>Povoleno: %1</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>celé číslo od %1 do %2</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>číslo od %1 do %2</translation>
+    </message>
+</context>
+<context>
+    <name>views::PathField</name>
+    <message>
+        <source>Name the output file.</source>
+        <translation>Zadejte výstupní soubor.</translation>
+    </message>
+    <message>
+        <source>The output file is a folder.</source>
+        <translation>Výstupní soubor je složka.</translation>
+    </message>
+    <message>
+        <source>The folder of the output file does not exist.</source>
+        <translation>Složka výstupního souboru neexistuje.</translation>
+    </message>
+    <message>
+        <source>You may not write to the folder of the output file.</source>
+        <translation>Do složky výstupního souboru nemáte právo zapisovat.</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Procházet…</translation>
+    </message>
+    <message>
+        <source>Browse Folder…</source>
+        <translation>Vybrat složku…</translation>
+    </message>
+    <message>
+        <source>Browse File…</source>
+        <translation>Vybrat soubor…</translation>
+    </message>
+</context>
+<context>
+    <name>views::PictureSizeFields</name>
+    <message>
+        <source>Width</source>
+        <translation>Šířka</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Velikost</translation>
+    </message>
+    <message>
+        <source>As in the window (%1 × %2)</source>
+        <translation>Jako v okně (%1 × %2)</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Jiná</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>pixelů</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Měřítko</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze:</source>
+        <translation>&amp;Velikost:</translation>
+    </message>
+    <message>
+        <source>&amp;Width:</source>
+        <translation>Šíř&amp;ka:</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>Vý&amp;ška:</translation>
+    </message>
+    <message>
+        <source>S&amp;cale:</source>
+        <translation>&amp;Měřítko:</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels are too many; this computer draws at most %3 × %4.</source>
+        <translation>%1 × %2 pixelů je příliš mnoho; tento počítač vykreslí nejvýše %3 × %4.</translation>
+    </message>
+</context>
+<context>
+    <name>views::PrepareDialog</name>
+    <message>
+        <source>Prepare Animation</source>
+        <translation>Připravit animaci</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Výsledky</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Zdroj</translation>
+    </message>
+    <message>
+        <source>Folder of frames, point cache or scene: type, drop or browse</source>
+        <translation>Složka snímků, mezipaměť bodů nebo scéna: napište, přetáhněte nebo vyberte</translation>
+    </message>
+    <message>
+        <source>Base Mesh</source>
+        <translation>Základní síť</translation>
+    </message>
+    <message>
+        <source>The mesh of the same name beside the point cache</source>
+        <translation>Síť stejného jména vedle mezipaměti bodů</translation>
+    </message>
+    <message>
+        <source>Bake at</source>
+        <translation>Zapéct při</translation>
+    </message>
+    <message>
+        <source>frames per second</source>
+        <translation>snímků za sekundu</translation>
+    </message>
+    <message>
+        <source>Animation of the scene</source>
+        <translation>Animace scény</translation>
+    </message>
+    <message>
+        <source>For scenes that hold several animations</source>
+        <translation>Pro scény s více animacemi</translation>
+    </message>
+    <message>
+        <source>&amp;Source:</source>
+        <translation>&amp;Zdroj:</translation>
+    </message>
+    <message>
+        <source>Base &amp;mesh:</source>
+        <translation>Základní &amp;síť:</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ke at:</source>
+        <translation>&amp;Zapéct při:</translation>
+    </message>
+    <message>
+        <source>Anima&amp;tion:</source>
+        <translation>Ani&amp;mace:</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Jméno</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Snímková frekvence</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Jméno:</translation>
+    </message>
+    <message>
+        <source>Frame &amp;rate:</source>
+        <translation>Snímková &amp;frekvence:</translation>
+    </message>
+    <message>
+        <source>Normalis&amp;e:</source>
+        <translation>&amp;Normalizace:</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Nalezeno</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Formát:</translation>
+    </message>
+    <message>
+        <source>Frames:</source>
+        <translation>Snímky:</translation>
+    </message>
+    <message>
+        <source>Vertices:</source>
+        <translation>Vrcholy:</translation>
+    </message>
+    <message>
+        <source>Triangles:</source>
+        <translation>Trojúhelníky:</translation>
+    </message>
+    <message>
+        <source>Box:</source>
+        <translation>Rozměry:</translation>
+    </message>
+    <message>
+        <source>Raw size:</source>
+        <translation>Surová velikost:</translation>
+    </message>
+    <message>
+        <source>The positions alone, as 32-bit numbers</source>
+        <translation>Jen polohy jako 32bitová čísla</translation>
+    </message>
+    <message>
+        <source>Output File</source>
+        <translation>Výstupní soubor</translation>
+    </message>
+    <message>
+        <source>Encoded Animations (%1)</source>
+        <translation>Zakódované animace (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Output file:</source>
+        <translation>&amp;Výstupní soubor:</translation>
+    </message>
+    <message>
+        <source>Encoding…</source>
+        <translation>Kóduje se…</translation>
+    </message>
+    <message>
+        <source>En&amp;code</source>
+        <translation>Zakó&amp;dovat</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zavřít</translation>
+    </message>
+    <message>
+        <source>The first frame is shown here.</source>
+        <translation>Zde se ukáže první snímek.</translation>
+    </message>
+    <message>
+        <source>Reading… %1 %</source>
+        <translation>Čte se… %1 %</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>All frames together, from %1 to %2</source>
+        <translation>Všechny snímky dohromady, od %1 do %2</translation>
+    </message>
+    <message>
+        <source>one step: %1 % of the longest side</source>
+        <translation>jeden krok: %1 % nejdelší strany</translation>
+    </message>
+    <message>
+        <source>steps per unit of length</source>
+        <translation>kroků na jednotku délky</translation>
+    </message>
+    <message>
+        <source>Choose a source.</source>
+        <translation>Zvolte zdroj.</translation>
+    </message>
+    <message>
+        <source>The source is being read.</source>
+        <translation>Zdroj se čte.</translation>
+    </message>
+    <message>
+        <source>The source cannot be read.</source>
+        <translation>Zdroj nelze přečíst.</translation>
+    </message>
+    <message>
+        <source>The output file exists. You will be asked before it is replaced.</source>
+        <translation>Výstupní soubor existuje. Před nahrazením se program zeptá.</translation>
+    </message>
+    <message>
+        <source>“%1” exists. Replace it?</source>
+        <translation>Soubor „%1“ už existuje. Nahradit ho?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Nahradit</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was written.</source>
+        <translation>Zrušeno. Nic nebylo zapsáno.</translation>
+    </message>
+    <message>
+        <source>The animation is still being encoded.</source>
+        <translation>Animace se ještě kóduje.</translation>
+    </message>
+    <message>
+        <source>Stop Encoding</source>
+        <translation>Zastavit kódování</translation>
+    </message>
+    <message>
+        <source>Keep Encoding</source>
+        <translation>Pokračovat v kódování</translation>
+    </message>
+</context>
+<context>
+    <name>views::Quantities</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+</context>
+<context>
+    <name>views::RenameDialog</name>
+    <message>
+        <source>Rename Animation</source>
+        <translation>Přejmenovat animaci</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Přejmenovat</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Jméno</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>&amp;Jméno:</translation>
+    </message>
+</context>
+<context>
+    <name>views::ResampleDialog</name>
+    <message>
+        <source>Resample Animation</source>
+        <translation>Převzorkovat animaci</translation>
+    </message>
+    <message>
+        <source>&amp;Resample</source>
+        <translation>&amp;Převzorkovat</translation>
+    </message>
+    <message>
+        <source>New frame rate</source>
+        <translation>Nová snímková frekvence</translation>
+    </message>
+    <message>
+        <source>frames per second</source>
+        <translation>snímků za sekundu</translation>
+    </message>
+    <message>
+        <source>&amp;New frame rate:</source>
+        <translation>&amp;Nová snímková frekvence:</translation>
+    </message>
+    <message>
+        <source>That would make %1 frames; %2 are allowed.</source>
+        <translation>Vzniklo by %1 snímků; povoleno je jich nejvýše %2.</translation>
+    </message>
+    <message>
+        <source>Frames: %1 → %2. The speed stays; frames in between are blended.</source>
+        <translation>Snímky: %1 → %2. Rychlost zůstává; mezilehlé snímky se prolínají.</translation>
+    </message>
+</context>
+<context>
+    <name>views::ScreenshotDialog</name>
+    <message>
+        <source>Save Screenshot</source>
+        <translation>Uložit obrázek</translation>
+    </message>
+    <message>
+        <source>Output File</source>
+        <translation>Výstupní soubor</translation>
+    </message>
+    <message>
+        <source>PNG Pictures (%1)</source>
+        <translation>Obrázky PNG (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Output file:</source>
+        <translation>&amp;Výstupní soubor:</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 pixelů</translation>
+    </message>
+</context>
+<context>
+    <name>views::TimelineDock</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Časová osa</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Přehrát</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Zastavit</translation>
+    </message>
+    <message>
+        <source>Previous &amp;Frame</source>
+        <translation>&amp;Předchozí snímek</translation>
+    </message>
+    <message>
+        <source>&amp;Next Frame</source>
+        <translation>&amp;Další snímek</translation>
+    </message>
+    <message>
+        <source>Ten Frames Back</source>
+        <translation>O deset snímků zpět</translation>
+    </message>
+    <message>
+        <source>Ten Frames On</source>
+        <translation>O deset snímků dál</translation>
+    </message>
+    <message>
+        <source>F&amp;irst Frame</source>
+        <translation>P&amp;rvní snímek</translation>
+    </message>
+    <message>
+        <source>&amp;Last Frame</source>
+        <translation>P&amp;oslední snímek</translation>
+    </message>
+    <message>
+        <source>Play &amp;Backwards</source>
+        <translation>Přehrávat p&amp;ozpátku</translation>
+    </message>
+    <message>
+        <source>Play &amp;Once</source>
+        <translation>Přehrát &amp;jednou</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Opakovat</translation>
+    </message>
+    <message>
+        <source>Ping-Pon&amp;g</source>
+        <translation>&amp;Tam a zpět</translation>
+    </message>
+    <message>
+        <source>Start Loop &amp;Here</source>
+        <translation>&amp;Začít smyčku zde</translation>
+    </message>
+    <message>
+        <source>&amp;End Loop Here</source>
+        <translation>&amp;Ukončit smyčku zde</translation>
+    </message>
+    <message>
+        <source>Loop &amp;All Frames</source>
+        <translation>Smyčka přes &amp;všechny snímky</translation>
+    </message>
+    <message>
+        <source>Show Ever&amp;y Frame</source>
+        <translation>Zobrazit &amp;každý snímek</translation>
+    </message>
+    <message>
+        <source>The current frame. Drag the marks above the ruler to change the loop range.</source>
+        <translation>Aktuální snímek. Tažením značek nad pravítkem změníte rozsah smyčky.</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Snímek</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Čas</translation>
+    </message>
+    <message>
+        <source>Time / duration, minutes and seconds</source>
+        <translation>Čas / délka, minuty a sekundy</translation>
+    </message>
+    <message>
+        <source>Frames/s:</source>
+        <translation>Snímky/s:</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Snímky za sekundu</translation>
+    </message>
+    <message>
+        <source>Frames per second of playback, 1 to 120</source>
+        <translation>Snímky za sekundu při přehrávání, 1 až 120</translation>
+    </message>
+    <message>
+        <source>Real Time</source>
+        <translation>Reálný čas</translation>
+    </message>
+    <message>
+        <source>Every Frame</source>
+        <translation>Každý snímek</translation>
+    </message>
+    <message>
+        <source>Pacing</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Real Time drops frames where drawing is too slow; Every Frame shows each and takes longer</source>
+        <translation>Reálný čas vynechává snímky, když kreslení nestačí; Každý snímek ukáže všechny a trvá déle</translation>
+    </message>
+    <message>
+        <source> / %1</source>
+        <extracomment>After the number of the current frame: how many there are.</extracomment>
+        <translation> / %1</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pozastavit</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>views::TimelineSlider</name>
+    <message>
+        <source>Loop range %1 - %2</source>
+        <translation>Rozsah smyčky %1 - %2</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Snímek %1</translation>
+    </message>
+</context>
+<context>
+    <name>views::TriesPanel</name>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Otevřít</translation>
+    </message>
+    <message>
+        <source>Show in &amp;Folder</source>
+        <translation>Zobrazit ve &amp;složce</translation>
+    </message>
+    <message>
+        <source>Encodings made so far</source>
+        <translation>Dosavadní kódování</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Velikost</translation>
+    </message>
+    <message>
+        <source>Raw : Size</source>
+        <translation>Surová : výsledná</translation>
+    </message>
+    <message>
+        <source>bpfv</source>
+        <translation>bpfv</translation>
+    </message>
+    <message>
+        <source>KG Error</source>
+        <translation>Chyba KG</translation>
+    </message>
+    <message>
+        <source>Largest Error</source>
+        <translation>Největší chyba</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Doba</translation>
+    </message>
+    <message>
+        <source>Bits per frame and vertex</source>
+        <translation>Bity na snímek a vrchol</translation>
+    </message>
+    <message>
+        <source>Error of Karni and Gotsman, per cent</source>
+        <translation>Chyba podle Karniho a Gotsmana v procentech</translation>
+    </message>
+    <message>
+        <source>Largest distance of a vertex, in per cent of the animation&apos;s diagonal</source>
+        <translation>Největší vzdálenost vrcholu v procentech úhlopříčky animace</translation>
+    </message>
+    <message>
+        <source>Encode &amp;Again with Other Settings</source>
+        <translation>Zakódovat &amp;znovu s jiným nastavením</translation>
+    </message>
+    <message>
+        <source>A later try has replaced the file</source>
+        <translation>Soubor nahradil pozdější pokus</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; (replaced by a later try)</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; (nahrazen pozdějším pokusem)</translation>
+    </message>
+    <message>
+        <source>%1 from %2 raw (%3), %4 bits per frame and vertex, encoded in %5</source>
+        <translation>%1 ze surových %2 (%3), %4 bitu na snímek a vrchol, zakódováno za %5</translation>
+    </message>
+    <message>
+        <source>KG error %1, RMSE %2, PSNR %3, largest vertex error %4 (%5 of the diagonal, in frame %6)</source>
+        <translation>Chyba KG %1, RMSE %2, PSNR %3, největší chyba vrcholu %4 (%5 úhlopříčky, ve snímku %6)</translation>
+    </message>
+</context>
+<context>
+    <name>views::TrimDialog</name>
+    <message>
+        <source>Trim Animation</source>
+        <translation>Oříznout animaci</translation>
+    </message>
+    <message>
+        <source>&amp;Trim</source>
+        <translation>&amp;Oříznout</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>První snímek</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Poslední snímek</translation>
+    </message>
+    <message>
+        <source>&amp;First frame:</source>
+        <translation>&amp;První snímek:</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame:</source>
+        <translation>P&amp;oslední snímek:</translation>
+    </message>
+    <message>
+        <source>The first frame must not come after the last.</source>
+        <translation>První snímek nesmí být až za posledním.</translation>
+    </message>
+    <message>
+        <source>Frames: %1 → %2</source>
+        <translation>Snímky: %1 → %2</translation>
+    </message>
+</context>
+</TS>

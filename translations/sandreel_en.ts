@@ -1,0 +1,44 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>Undo</name>
+    <message numerus="yes">
+        <source>Trim to %n Frame(s)</source>
+        <translation>
+            <numerusform>Trim to %n Frame</numerusform>
+            <numerusform>Trim to %n Frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>editor::FileActions</name>
+    <message numerus="yes">
+        <source>%n animation(s) have unsaved changes.</source>
+        <translation>
+            <numerusform>%n animation has unsaved changes.</numerusform>
+            <numerusform>%n animations have unsaved changes.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>views::ExportFramesDialog</name>
+    <message numerus="yes">
+        <source>%n file(s) will be written.</source>
+        <translation>
+            <numerusform>%n file will be written.</numerusform>
+            <numerusform>%n files will be written.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>views::ExportPicturesDialog</name>
+    <message numerus="yes">
+        <source>%n picture(s) of %1 × %2 pixels. At %3 frames per second they last %4.</source>
+        <translation>
+            <numerusform>%n picture of %1 × %2 pixels. At %3 frames per second it lasts %4.</numerusform>
+            <numerusform>%n pictures of %1 × %2 pixels. At %3 frames per second they last %4.</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
