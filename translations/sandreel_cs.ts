@@ -418,10 +418,6 @@
         <translation>Síť nemá žádné vrcholy.</translation>
     </message>
     <message>
-        <source>This mesh has %1 vertices, but %3 has %2. All frames of an animation need the same vertices and faces.</source>
-        <translation>Tato síť má vrcholů: %1, ale %3 jich má: %2. Všechny snímky animace musí mít stejné vrcholy a stěny.</translation>
-    </message>
-    <message>
         <source>Triangle %1 differs from that in %2. All frames of an animation need the same faces in the same order.</source>
         <translation>Trojúhelník %1 se liší od trojúhelníku v souboru %2. Všechny snímky animace musí mít stejné stěny ve stejném pořadí.</translation>
     </message>
@@ -540,6 +536,222 @@
     <message>
         <source>%1, byte %2</source>
         <translation>%1, bajt %2</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder holds frames already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex %1 of frame %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>format version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows per stream</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stream count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chunk tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>letters and digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most the bytes left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are %1 vertices here, but %2 in %3. All frames of an animation and its base mesh need the same vertices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the size of the file in bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no permission to read it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a face with at least 3 corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a vertex number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertices with other than 3 coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the binary form of OFF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a line of a PLY header</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a PLY format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangle strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an integer type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertices without one x, y and z each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faces without one list of vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length of a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of vertices times frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene contradicts itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for an unknown reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The number of the animation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no mesh in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;facet&quot; or &quot;endsolid&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;solid&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;normal&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;outer loop&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;endloop&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;endfacet&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;vertex&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1601,6 +1813,21 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
     <message>
         <source>Dismiss Message</source>
         <translation>Zavřít zprávu</translation>
+    </message>
+</context>
+<context>
+    <name>views::NoGlView</name>
+    <message>
+        <source>No OpenGL was found on this computer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This computer offers OpenGL %1 (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.3. Installing the newest driver of the graphics card, or Mesa&apos;s software renderer, helps. Until then the processor draws the animation, slowly; everything else works.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
