@@ -10,9 +10,9 @@ namespace cli {
 void InputOptions::addTo(CLI::App &command, const std::string &name)
 {
     command
-        .add_option(
-            name, path,
-            "A folder of OBJ, OFF, PLY or STL frames; a PC2 or MDD point cache; a glTF or FBX scene; an .anim file")
+        .add_option(name, path,
+                    "A folder of OBJ, OFF, PLY or STL frames, a point cache (PC2, MDD),\n"
+                    "a scene (glTF, FBX), or an .anim file")
         ->required();
     command.add_option("--base-mesh", baseMesh, "Mesh of a point cache (default: the mesh of the same name beside it)")
         ->type_name("MESH");
@@ -60,6 +60,23 @@ double rawBytes(const model::FrameSource &source)
 double bitsPerFrameAndVertex(double bytes, const model::FrameSource &source)
 {
     return 8 * bytes / (double(source.vertexCount()) * source.frameCount());
+}
+
+CLI::Validator finiteRange(double least, double most)
+{
+    return CLI::Validator(
+        [least, most](std::string &text) -> std::string {
+            bool isNumber = false;
+            const double value = fromUtf8(text).toDouble(&isNumber);
+            if (isNumber && value >= least && value <= most)
+                return {};
+            return QStringLiteral("must be a number from %1 to %2, not %3")
+                .arg(least)
+                .arg(most)
+                .arg(fromUtf8(text))
+                .toStdString();
+        },
+        "");
 }
 
 QString sizeText(double bytes)

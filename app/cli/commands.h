@@ -27,8 +27,8 @@ struct InputOptions
 {
     std::string path;
     std::string baseMesh;
-    double frameRate = 0;
-    int animation = 1; ///< counted from 1
+    double frameRate = 0; ///< 0: as the input says
+    int animation = 1;    ///< counted from 1
 
     void addTo(CLI::App &command, const std::string &name = "INPUT");
     model::Result<model::FrameSourcePtr> read(const model::Progress &progress) const;
@@ -48,6 +48,8 @@ struct NormaliseOption
 double rawBytes(const model::FrameSource &source);
 /// Bits per frame and vertex.
 double bitsPerFrameAndVertex(double bytes, const model::FrameSource &source);
+/// Accepts numbers from `least` to `most`; CLI::Range lets "nan" through.
+CLI::Validator finiteRange(double least, double most);
 /// "12.3 kB"
 QString sizeText(double bytes);
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/outputs.h"
 #include "model/animation/metrics.h"
 #include "model/io/animfile.h"
 
 #include <QJsonArray>
 #include <QJsonValue>
+#include <QLocale>
 
 #include <charconv>
 #include <cmath>
@@ -48,6 +50,10 @@ model::Result<std::vector<std::uint32_t>> Compare::readPermutation() const
         order.push_back(index);
         at = rest == end ? end : rest + 1;
     }
+    // Without a line it would read as "the same order".
+    if (order.empty())
+        return model::fail(model::Error{
+            model::ErrorCode::BadPermutation, {"it is empty"}, permutation, model::Error::None, model::Error::None});
     return order;
 }
 
@@ -85,12 +91,12 @@ QJsonObject jsonOf(const model::ComparisonResult &result)
 
 QByteArray csvOf(const model::ComparisonResult &result)
 {
+    const auto number = [](double value) { return QByteArray::number(value, 'g', QLocale::FloatingPointShortest); };
     QByteArray text = "frame,kg_error_percent,rmse,max_vertex_error,worst_vertex\n";
     for (std::size_t i = 0; i < result.frames.size(); ++i) {
         const model::FrameError &error = result.frames[i];
-        text += QByteArray::number(qulonglong(i + 1)) + ',' + QByteArray::number(error.kgErrorPercent, 'g', 10) + ',' +
-                QByteArray::number(error.rmse, 'g', 10) + ',' + QByteArray::number(error.maxVertexError, 'g', 10) +
-                ',' + QByteArray::number(error.worstVertex) + '\n';
+        text += QByteArray::number(qulonglong(i + 1)) + ',' + number(error.kgErrorPercent) + ',' + number(error.rmse) +
+                ',' + number(error.maxVertexError) + ',' + QByteArray::number(error.worstVertex) + '\n';
     }
     return text;
 }
@@ -99,7 +105,9 @@ void printTable(Console &console, const model::ComparisonResult &result)
 {
     console.line(QStringLiteral("KG error              %1 %").arg(result.kgErrorPercent, 0, 'g', 6));
     console.line(QStringLiteral("RMSE                  %1").arg(result.rmse, 0, 'g', 6));
-    console.line(QStringLiteral("PSNR                  %1 dB").arg(result.psnrDb, 0, 'f', 2));
+    console.line(std::isfinite(result.psnrDb)
+                     ? QStringLiteral("PSNR                  %1 dB").arg(result.psnrDb, 0, 'f', 2)
+                     : QStringLiteral("PSNR                  infinite"));
     console.line(QStringLiteral("largest vertex error  %1 (%2 % of the diagonal; vertex %3 in frame %4)")
                      .arg(result.maxVertexError, 0, 'g', 6)
                      .arg(result.diagonal > 0 ? 100 * result.maxVertexError / result.diagonal : 0.0, 0, 'g', 4)
@@ -109,6 +117,9 @@ void printTable(Console &console, const model::ComparisonResult &result)
 
 model::Result<void> Compare::run(Console &console) const
 {
+    if (auto checked = checkOutputs({{"--csv", csv}}, {reference.path, test, reference.baseMesh, permutation});
+        !checked)
+        return checked;
     const auto order = readPermutation();
     if (!order)
         return model::fail(order.error());
@@ -125,7 +136,8 @@ model::Result<void> Compare::run(Console &console) const
         return model::fail(tested.error());
     const auto result = model::compareAnimations(**placed, **tested, *order, console.progress("Comparing"));
     if (!result)
-        return model::fail(model::Error(result.error()).in(test));
+        return model::fail(model::Error(result.error())
+                               .in(result.error().code == model::ErrorCode::BadPermutation ? permutation : test));
 
     if (!csv.empty()) {
         const QByteArray text = csvOf(*result);

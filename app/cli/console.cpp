@@ -17,11 +17,25 @@ namespace {
 std::atomic<const model::Progress *> interruptible = nullptr;
 std::atomic<bool> interrupted = false;
 
+/// Signals of which the second ends the process at once, should the work not heed the first.
+constexpr int Interrupts[] = {SIGINT, SIGTERM};
+
 void interrupt(int)
 {
+    for (const int number : Interrupts)
+        std::signal(number, SIG_DFL);
     interrupted = true;
     if (const model::Progress *work = interruptible)
         work->cancel();
+}
+
+/// Names come from files of others: they must not steer the terminal.
+QString printable(QString text)
+{
+    for (QChar &c : text)
+        if (c.category() == QChar::Other_Control && c != QLatin1Char('\n'))
+            c = QChar::ReplacementCharacter;
+    return text;
 }
 
 } // namespace
@@ -46,8 +60,9 @@ ExitCode exitCodeOf(const model::Error &error)
 Console::Console()
     : mHasTerminal(isatty(STDERR_FILENO) != 0)
 {
-    std::signal(SIGINT, interrupt);
-    std::signal(SIGTERM, interrupt);
+    for (const int number : Interrupts)
+        if (std::signal(number, interrupt) == SIG_IGN) // what nohup and a shell's "&" ask for
+            std::signal(number, SIG_IGN);
     // A reader that goes away is a failed write, not a death that leaves files behind.
     std::signal(SIGPIPE, SIG_IGN);
 }
@@ -59,8 +74,9 @@ model::Progress Console::progress(const std::string &label)
     if (mHasTerminal && !mQuiet)
         draw = [this, label, drawn = -1](double fraction) mutable {
             constexpr int Width = 30;
+            constexpr int QuickWork = 200; // milliseconds; a bar that only flashes up is no help
             const int percent = int(fraction * 100);
-            if (percent == drawn)
+            if (percent == drawn || mSinceStart.elapsed() < QuickWork)
                 return;
             drawn = percent;
             const int filled = int(fraction * Width);
@@ -68,12 +84,18 @@ model::Progress Console::progress(const std::string &label)
                          std::string(Width - filled, '.').c_str(), percent);
             mBarDrawn = true;
         };
+    mSinceStart.start();
     interruptible = nullptr;
     mWork = model::Progress(std::move(draw));
     interruptible = &mWork;
     if (interrupted)
         mWork.cancel();
     return mWork;
+}
+
+bool Console::isInterrupted() const
+{
+    return interrupted;
 }
 
 void Console::endProgress()
@@ -92,13 +114,13 @@ void Console::note(const QString &text)
 void Console::error(const QString &text)
 {
     endProgress();
-    std::fprintf(stderr, "%s\n", qUtf8Printable(text));
+    std::fprintf(stderr, "%s\n", qUtf8Printable(printable(text)));
 }
 
 void Console::line(const QString &text)
 {
     endProgress();
-    std::fprintf(stdout, "%s\n", qUtf8Printable(text));
+    std::fprintf(stdout, "%s\n", qUtf8Printable(printable(text)));
 }
 
 void Console::json(const QJsonObject &object)

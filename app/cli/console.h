@@ -4,6 +4,7 @@
 #include "model/base/error.h"
 #include "model/base/progress.h"
 
+#include <QElapsedTimer>
 #include <QJsonObject>
 #include <QString>
 
@@ -29,6 +30,8 @@ public:
 
     /// For the work that `label` names ("Encoding"): draws a bar while it runs, on a terminal only.
     model::Progress progress(const std::string &label);
+    /// A signal has come. Asked before the last step of a sub-command, which is not interrupted.
+    bool isInterrupted() const;
     /// Wipes the bar.
     void endProgress();
 
@@ -49,6 +52,7 @@ private:
     bool mQuiet = false;
     bool mHasTerminal;
     bool mBarDrawn = false;
+    QElapsedTimer mSinceStart; ///< of the work in progress
     model::Progress mWork;
 };
 

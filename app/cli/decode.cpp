@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/outputs.h"
 #include "model/io/animationwriter.h"
-
-#include <QFileInfo>
 
 namespace cli {
 
@@ -19,7 +18,7 @@ struct Decode
 
 model::Result<model::io::MeshFormat> meshFormatOf(const QString &path)
 {
-    const QString ending = QFileInfo(path).suffix().toLower();
+    const QString ending = endingOf(path.toStdString());
     if (ending == QLatin1String("obj"))
         return model::io::MeshFormat::Obj;
     if (ending == QLatin1String("off"))
@@ -32,7 +31,14 @@ model::Result<model::io::MeshFormat> meshFormatOf(const QString &path)
 model::Result<void> Decode::run(Console &console) const
 {
     const QString target = fromUtf8(output);
-    const bool isCache = QFileInfo(target).suffix().compare(QLatin1String("pc2"), Qt::CaseInsensitive) == 0;
+    const QString ending = endingOf(output);
+    const bool isCache = ending == QLatin1String("pc2");
+    if (!isCache && model::io::readableEndings().contains(ending))
+        return model::fail(model::ErrorCode::BadSetting, "--output", output, "a folder, or a file that ends in .pc2");
+    if (auto checked = checkOutputs({{"--output", isCache ? output : std::string()}, {"--mesh", mesh}},
+                                    {input.path, input.baseMesh});
+        !checked)
+        return checked;
     model::io::MeshFormat baseFormat = format;
     if (!mesh.empty()) {
         const auto known = meshFormatOf(fromUtf8(mesh));
@@ -43,16 +49,17 @@ model::Result<void> Decode::run(Console &console) const
     const auto source = input.read(console.progress("Reading"));
     if (!source)
         return model::fail(source.error());
-    const auto written = isCache ? model::io::writePc2(target, **source, console.progress("Writing"))
-                                 : model::io::writeFrames(target, **source, format, console.progress("Writing"));
+    RemoveUnlessKept partial(mesh);
+    if (!mesh.empty())
+        if (auto saved =
+                model::io::writeMesh(fromUtf8(mesh), (*source)->frame(0), (*source)->connectivity(), baseFormat);
+            !saved)
+            return saved;
+    auto written = isCache ? model::io::writePc2(target, **source, console.progress("Writing"))
+                           : model::io::writeFrames(target, **source, format, console.progress("Writing"));
     if (!written)
         return written;
-    if (!mesh.empty()) {
-        const auto saved =
-            model::io::writeMesh(fromUtf8(mesh), (*source)->frame(0), (*source)->connectivity(), baseFormat);
-        if (!saved)
-            return saved;
-    }
+    partial.keep();
     if (console.isJson())
         console.json({{"output", target},
                       {"frames", double((*source)->frameCount())},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/outputs.h"
 #include "model/animation/editedframes.h"
 #include "model/animation/metrics.h"
 #include "model/codec/animationcodec.h"
@@ -35,6 +36,9 @@ model::FrameSourcePtr Encode::named(model::FrameSourcePtr source) const
     if (title.empty())
         title = QFileInfo(fromUtf8(input.path)).completeBaseName().toStdString();
     const double rate = input.frameRate > 0 ? input.frameRate : source->frameRate();
+    // A reader may have given the rate already; only one layer of edits lets an .anim below be recognised.
+    if (const auto *edited = dynamic_cast<const model::EditedFrames *>(source.get()); edited && edited->keepsFrames())
+        source = edited->source();
     return std::make_shared<model::EditedFrames>(source, model::TimeMap::identity(source->frameCount()),
                                                  model::Similarity(), rate, std::move(title));
 }
@@ -50,6 +54,12 @@ model::Result<void> Encode::writePermutation(const std::vector<std::uint32_t> &o
 
 model::Result<void> Encode::run(Console &console) const
 {
+    if (endingOf(output) != QLatin1String("anim"))
+        return model::fail(model::ErrorCode::BadSetting, "--output", output, "a name that ends in .anim");
+    if (auto checked =
+            checkOutputs({{"--output", output}, {"--permutation", permutation}}, {input.path, input.baseMesh});
+        !checked)
+        return checked;
     const auto read = input.read(console.progress("Reading"));
     if (!read)
         return model::fail(read.error());
@@ -60,7 +70,8 @@ model::Result<void> Encode::run(Console &console) const
 
     QElapsedTimer clock;
     clock.start();
-    auto encoded = model::codec::encodeAnimation(*source, settings, console.progress("Encoding"));
+    // An .anim that already has these settings keeps its stream: encoding it once more would only lose more.
+    const auto encoded = model::io::encodeEdited(*source, settings, console.progress("Encoding"));
     if (!encoded)
         return model::fail(encoded.error());
     const double seconds = double(clock.elapsed()) / 1000;
@@ -98,11 +109,15 @@ model::Result<void> Encode::run(Console &console) const
                     .arg(lost->maxVertexError, 0, 'g', 4);
     }
 
-    if (const auto saved = model::io::saveBytes(fromUtf8(output), encoded->bytes); !saved)
-        return model::fail(saved.error());
+    if (console.isInterrupted())
+        return model::fail(model::ErrorCode::Cancelled);
+    RemoveUnlessKept partial(permutation);
     if (!permutation.empty())
-        if (const auto written = writePermutation(encoded->permutation); !written)
-            return model::fail(written.error());
+        if (auto written = writePermutation(encoded->permutation); !written)
+            return written;
+    if (auto saved = model::io::saveBytes(fromUtf8(output), encoded->bytes); !saved)
+        return saved;
+    partial.keep();
     if (console.isJson())
         console.json(json);
     else
@@ -131,18 +146,19 @@ void addEncode(CLI::App &app, Run &run)
         ->type_name("K")
         ->capture_default_str();
     command->add_option("--resolution", options->settings.resolution, "Quantisation steps per unit of length")
-        ->check(CLI::Range(Settings::MinResolution, Settings::MaxResolution))
+        ->check(finiteRange(Settings::MinResolution, Settings::MaxResolution))
         ->type_name("R")
         ->capture_default_str();
     options->normalise.addTo(*command, "Fit the first frame, or all of them, into the cube -1..1 (default: none)");
     command->add_option("--fps", options->input.frameRate, "Frames per second; a scene is sampled at this rate")
-        ->check(CLI::Range(0.001, 1000.0))
+        ->check(finiteRange(0.001, 1000))
         ->type_name("N");
     command->add_option("--name", options->name, "Name of the animation (default: the input's)")->type_name("TEXT");
     command
         ->add_option(
             "--permutation", options->permutation,
-            "Also write the order of the vertices: a line for each decoded vertex, with its index in the input")
+            "Also write the order of the vertices: a line for each decoded vertex, with its index in the input,\n"
+            "counted from 0")
         ->type_name("FILE");
     command->add_flag("--measure", options->measure, "Decode again and print the errors");
     command->footer("Examples:\n"

@@ -4,8 +4,49 @@
 
 #include <QCoreApplication>
 
+#include <new>
+
+namespace {
+
+/// One line of what is wrong with the command line, and where to read on.
+std::string usageMessage(const CLI::App *app, const CLI::Error &error)
+{
+    std::string what = error.what();
+    std::string help = app->get_name();
+    if (const auto chosen = app->get_subcommands(); !chosen.empty()) {
+        help += ' ' + chosen.front()->get_name();
+        if (dynamic_cast<const CLI::ExtrasError *>(&error)) {
+            what = "Not expected:";
+            for (const std::string &argument : app->remaining(true))
+                what += ' ' + argument;
+        }
+    } else if (dynamic_cast<const CLI::RequiredError *>(&error)) {
+        const auto rest = app->remaining();
+        what = rest.empty() ? "A sub-command is missing." : "There is no sub-command \"" + rest.front() + "\".";
+        what += " There are";
+        for (const CLI::App *command : app->get_subcommands({}))
+            what += ' ' + command->get_name() + ',';
+        what.back() = '.';
+    }
+    return "sandreel-cli: " + what + "\nSee " + help + " --help.\n";
+}
+
+/// Work that runs out of memory is an error as any other.
+model::Result<void> runGuarded(const cli::Run &run, cli::Console &console)
+{
+    try {
+        return run(console);
+    } catch (const std::bad_alloc &) {
+        return model::fail(model::ErrorCode::OutOfMemory, "more");
+    }
+}
+
+} // namespace
+
 int main(int argc, char **argv)
 {
+    // Numbers on the command line have a decimal point, and file names are UTF-8, wherever the program runs.
+    qputenv("LC_ALL", "C.UTF-8");
     const QCoreApplication application(argc, argv);
     cli::Console console;
     cli::Run run;
@@ -15,6 +56,7 @@ int main(int argc, char **argv)
     app.set_version_flag("--version", "sandreel-cli " SANDREEL_VERSION);
     app.set_help_all_flag("--help-all", "Help of all sub-commands");
     app.require_subcommand(1);
+    app.failure_message(usageMessage);
     app.fallthrough();
     app.add_flag_callback(
         "--json", [&] { console.setJson(true); }, "Print JSON on standard output, for machines");
@@ -32,10 +74,12 @@ int main(int argc, char **argv)
         app.parse(argc, argv);
     } catch (const CLI::ParseError &error) {
         // Asking for help or the version ends the parser with success.
-        return app.exit(error) == 0 ? 0 : int(cli::ExitCode::Usage);
+        if (app.exit(error) != 0)
+            return int(cli::ExitCode::Usage);
+        return console.flush() ? int(cli::ExitCode::Ok) : int(cli::ExitCode::InputOutput);
     }
 
-    const model::Result<void> result = run(console);
+    const model::Result<void> result = runGuarded(run, console);
     console.endProgress();
     if (!result) {
         console.error(QStringLiteral("sandreel-cli: ") + model::io::errorText(result.error()));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/outputs.h"
 #include "model/base/parallel.h"
 #include "model/io/animfile.h"
+#include "model/io/failure.h"
 #include "model/mesh/softwareraster.h"
 
 #include <QBuffer>
@@ -22,7 +24,7 @@ struct Render
 {
     InputOptions input;
     std::string output, size = "960x540";
-    std::uint32_t frame = 1; ///< counted from 1
+    std::optional<std::uint32_t> frame; ///< counted from 1
     double yaw = 35, pitch = 20;
     bool wireframe = false;
 
@@ -39,7 +41,7 @@ struct Render
 
 std::optional<QString> Render::pathOf(std::uint32_t index) const
 {
-    static const QRegularExpression number(QStringLiteral("%0?(\\d*)d"));
+    static const QRegularExpression number(QStringLiteral("%0?(\\d{0,2})d"));
     const QString pattern = fromUtf8(output);
     const QRegularExpressionMatch match = number.match(pattern);
     if (!match.hasMatch())
@@ -59,7 +61,8 @@ model::Result<void> Render::draw(const model::FrameSource &source, std::uint32_t
     QByteArray png;
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
-    image.save(&buffer, "PNG");
+    if (!image.save(&buffer, "PNG"))
+        return model::io::failIn(path, model::ErrorCode::CannotWrite, "the picture cannot be encoded");
     return model::io::saveBytes(path,
                                 {reinterpret_cast<const std::uint8_t *>(png.constData()), std::size_t(png.size())});
 }
@@ -102,12 +105,23 @@ model::Result<void> Render::run(Console &console) const
     constexpr int MaxSide = 16384;
     if (width() < 1 || height() < 1 || width() > MaxSide || height() > MaxSide)
         return model::fail(model::ErrorCode::BadSetting, "--size", size, "1x1 ... 16384x16384");
+    if (endingOf(output) != QLatin1String("png"))
+        return model::fail(model::ErrorCode::BadSetting, "--output", output, "a name that ends in .png");
+    const bool all = pathOf(0).has_value();
+    if (all && frame)
+        return model::fail(model::ErrorCode::BadSetting, "--frame", std::to_string(*frame),
+                           "no --frame with a number in the name of --output, which means all frames");
+    if (auto checked = checkOutputs({{"--output", pathOf(0).value_or(fromUtf8(output)).toStdString()}},
+                                    {input.path, input.baseMesh});
+        !checked)
+        return checked;
     const auto read = input.read(console.progress("Reading"));
     if (!read)
         return model::fail(read.error());
     const model::FrameSource &source = **read;
-    if (frame > source.frameCount())
-        return model::fail(model::ErrorCode::BadSetting, "--frame", std::to_string(frame),
+    const std::uint32_t shown = frame.value_or(1);
+    if (shown > source.frameCount())
+        return model::fail(model::ErrorCode::BadSetting, "--frame", std::to_string(shown),
                            "1 ... " + std::to_string(source.frameCount()));
     const auto box = model::boundingBoxOfAll(source, console.progress("Measuring"));
     if (!box)
@@ -117,9 +131,8 @@ model::Result<void> Render::run(Console &console) const
     camera.pitch = float(pitch * std::numbers::pi / 180);
     camera.fit(*box, float(width()) / float(height()));
 
-    const bool all = pathOf(0).has_value();
-    const auto drawn =
-        all ? drawAll(source, camera, console.progress("Drawing")) : draw(source, frame - 1, camera, fromUtf8(output));
+    const model::Progress progress = console.progress("Drawing");
+    auto drawn = all ? drawAll(source, camera, progress) : draw(source, shown - 1, camera, fromUtf8(output));
     if (!drawn)
         return drawn;
     if (console.isJson())
@@ -127,6 +140,10 @@ model::Result<void> Render::run(Console &console) const
                       {"pictures", double(all ? source.frameCount() : 1)},
                       {"width", width()},
                       {"height", height()}});
+    else
+        console.note(
+            QStringLiteral("%1: %2").arg(fromUtf8(output), all ? QStringLiteral("%1 pictures").arg(source.frameCount())
+                                                               : QStringLiteral("frame %1").arg(shown)));
     return {};
 }
 
@@ -152,9 +169,11 @@ void addRender(CLI::App &app, Run &run)
         },
         "");
     command->add_option("--size", options->size, "Pixels (default: 960x540)")->check(isSize)->type_name("WxH");
-    command->add_option("--yaw", options->yaw, "Degrees around the vertical axis (default: 35)")->type_name("D");
+    command->add_option("--yaw", options->yaw, "Degrees around the vertical axis (default: 35)")
+        ->check(finiteRange(-360, 360))
+        ->type_name("D");
     command->add_option("--pitch", options->pitch, "Degrees from above (default: 20)")
-        ->check(CLI::Range(-90.0, 90.0))
+        ->check(finiteRange(-90, 90))
         ->type_name("D");
     command->add_flag("--wireframe", options->wireframe, "Draw the edges too");
     command->footer("Examples:\n"
