@@ -156,7 +156,10 @@ private:
         const auto channel = channels.find(node.mName.C_Str());
         const std::size_t index = mNodes.size();
         mNodes.push_back({&node, parent, channel == channels.end() ? nullptr : channel->second});
-        mNodeByName.emplace(node.mName.C_Str(), index);
+        // Names need not be unique: glTF often calls a mesh's node and its bone the same. A bone has no mesh.
+        const auto [named, isNew] = mNodeByName.emplace(node.mName.C_Str(), index);
+        if (!isNew && mNodes[named->second].node->mNumMeshes && !node.mNumMeshes)
+            named->second = index;
         for (unsigned i = 0; i < node.mNumChildren; ++i)
             addNode(*node.mChildren[i], index, channels);
     }

@@ -179,6 +179,7 @@ private slots:
         QTest::addColumn<QString>("sequence");
         QTest::newRow("skin, 83 frames") << "Fox.glb" << 0 << "fox_survey";
         QTest::newRow("skin, 28 frames") << "Fox.glb" << 2 << "fox_run";
+        QTest::newRow("many meshes") << "robot.glb" << 0 << "robot_dance";
         QTest::newRow("morph targets") << "MorphStressTest.gltf" << 0 << "morph_columns";
     }
     void realScenes()
