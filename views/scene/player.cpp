@@ -4,6 +4,7 @@
 #include "views/scene/frameworker.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace views {
@@ -260,9 +261,15 @@ void Player::receive(const FrameDataPtr &frame, FramePurpose purpose)
     if (frame->source != mSource)
         return;
     const bool isDue = frame->frame == mPlayback.frame();
-    const bool isWaiting = !mCurrent || mCurrent->source != mSource || mCurrent->frame != mPlayback.frame();
+    // A frame that comes late is better than a picture that stands, if it is nearer to the one wanted than that
+    // picture: on a slow machine one asked for earlier may arrive after one made ahead, and the film would jump back.
+    const auto distance = [this](std::uint32_t other) {
+        return std::abs(std::int64_t(other) - std::int64_t(mPlayback.frame()));
+    };
+    const bool isWaiting =
+        !mCurrent || mCurrent->source != mSource || distance(frame->frame) < distance(mCurrent->frame);
     if (isDue || (purpose == FramePurpose::Wanted && isWaiting)) {
-        show(frame); // if not due, scrubbing or play has gone on: still better than a picture that stands
+        show(frame); // if not due, scrubbing or play has gone on
     } else if (purpose == FramePurpose::Ahead && mAheadUse == Ahead::Keep) {
         mAhead = frame;
     } else if (purpose == FramePurpose::Ahead && mAheadUse == Ahead::ShowLate && isWaiting) {
