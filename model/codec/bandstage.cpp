@@ -6,6 +6,7 @@
 #include "model/codec/streams.h"
 #include "model/codec/syntax.h"
 
+#include <atomic>
 #include <memory>
 
 namespace model::codec {
@@ -119,10 +120,12 @@ Result<Bytes> encodeBands(const Bands &shape, std::span<const std::int32_t> valu
     parameters.rowsPerStream = std::clamp<std::uint64_t>(ValuesPerStream / shape.columns, 1, 65535);
     const std::uint64_t perStream = parameters.rowsPerStream * shape.columns;
     std::vector<Bytes> streams(std::size_t(streamCount(shape.rows, parameters.rowsPerStream)));
+    std::atomic<std::size_t> done = 0;
     parallelFor(streams.size(), [&](std::size_t i) {
         const std::size_t begin = i * perStream;
         const std::size_t count = std::min<std::size_t>(perStream, values.size() - begin);
         streams[i] = encodeRows(shape, values.subspan(begin, count), progress);
+        progress.report(double(++done) / double(streams.size()));
     });
     if (progress.isCancelled())
         return fail(ErrorCode::Cancelled);

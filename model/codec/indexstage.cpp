@@ -6,6 +6,7 @@
 #include "model/codec/streams.h"
 #include "model/codec/syntax.h"
 
+#include <atomic>
 #include <memory>
 
 namespace model::codec {
@@ -102,10 +103,12 @@ Result<Bytes> encodeIndices(const Connectivity &connectivity, const Progress &pr
     const std::span<const Triangle> triangles = connectivity.triangles;
     const std::uint64_t perStream = parameters.trianglesPerStream;
     std::vector<Bytes> streams(std::size_t(streamCount(triangles.size(), perStream)));
+    std::atomic<std::size_t> done = 0;
     parallelFor(streams.size(), [&](std::size_t i) {
         const std::size_t begin = i * perStream;
         const std::size_t count = std::min<std::size_t>(perStream, triangles.size() - begin);
         streams[i] = encodeTriangles(triangles.subspan(begin, count), progress);
+        progress.report(double(++done) / double(streams.size()));
     });
     if (progress.isCancelled())
         return fail(ErrorCode::Cancelled);

@@ -79,9 +79,9 @@ Result<EncodedAnimation> encodePca(const FrameSource &source, const CompressionS
     header.creator = creatorName();
     header.name = source.name();
     const Bytes means = encodeMeans(pca->means);
-    const Result<Bytes> basis = encodeBands(basisShape(header, pca->rank), pca->basis, progress);
+    const Result<Bytes> basis = encodeBands(basisShape(header, pca->rank), pca->basis, progress.part(0.9, 0.91));
     const Result<Bytes> coefficients =
-        encodeBands(coefficientShape(header, pca->rank), pca->coefficients, progress.part(0.9, 1));
+        encodeBands(coefficientShape(header, pca->rank), pca->coefficients, progress.part(0.91, 1));
     if (!basis || !coefficients)
         return fail(ErrorCode::Cancelled);
 

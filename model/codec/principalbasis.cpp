@@ -32,6 +32,13 @@ constexpr std::size_t BlockColumns = 256;
 // quantisation do not make it singular. Its effect on the coefficients is below the precision of a float.
 constexpr double Ridge = 1e-10;
 
+// Above this the Gram matrix (8 n^2 bytes, n^2 V operations) is not written down: each step of the eigensolver then
+// goes through the animation itself.
+constexpr std::size_t MaxGramRows = 3000;
+// Parts that the vertices are cut into then; each has a sum of its own, so that their order is fixed.
+constexpr std::size_t ProductParts = 16;
+constexpr std::size_t ProductColumns = 64;
+
 struct Quantizer
 {
     double resolution;
@@ -102,10 +109,54 @@ Result<MatrixXd> gramMatrix(const FrameStack &frames, std::span<const double> me
     return gram;
 }
 
+/// out = S S^T in, without S S^T.
+void applyGram(const FrameStack &frames, std::span<const double> means, const Eigen::VectorXd &in, Eigen::VectorXd &out,
+               const Progress &progress)
+{
+    const std::size_t vertices = frames.vertexCount();
+    const std::size_t part = (vertices + ProductParts - 1) / ProductParts;
+    std::vector<Eigen::VectorXd> sums(ProductParts, Eigen::VectorXd::Zero(in.size()));
+    parallelFor(ProductParts, [&](std::size_t p) {
+        RowMajorMatrixF panel(in.size(), Index(ProductColumns));
+        MatrixXd columns;
+        const std::size_t end = std::min(vertices, (p + 1) * part);
+        for (std::size_t first = p * part; first < end && !progress.isCancelled(); first += ProductColumns) {
+            const std::size_t width = std::min(ProductColumns, end - first);
+            frames.centredVertices(means, first, width, panel.data(), ProductColumns);
+            columns = panel.leftCols(Index(width)).cast<double>();
+            const Eigen::VectorXd projections = columns.transpose() * in;
+            sums[p].noalias() += columns * projections;
+        }
+    });
+    out = Eigen::VectorXd::Zero(in.size());
+    for (const Eigen::VectorXd &sum : sums)
+        out += sum;
+}
+
+/// The strongest trajectories of an animation with many frames and many vertices.
+Result<MatrixXd> principalBasisByProducts(const FrameStack &frames, std::span<const double> means, std::size_t count,
+                                          const Progress &progress)
+{
+    // How many products the solver will take is not known: the report nears the end without reaching it.
+    double products = 0;
+    const double typical = 4.0 * double(count) + 20;
+    const MatrixProduct apply = [&](const Eigen::VectorXd &in, Eigen::VectorXd &out) {
+        applyGram(frames, means, in, out, progress);
+        products += 1;
+        progress.report(products / (products + typical));
+    };
+    return strongestEigenvectors(apply, frames.rowCount(), count, progress);
+}
+
 /// The strongest trajectories, orthonormal: #3F x count.
 Result<MatrixXd> principalBasis(const FrameStack &frames, std::span<const double> means, std::size_t count,
                                 const Progress &progress)
 {
+    if (std::min<std::size_t>(frames.rowCount(), frames.vertexCount()) > MaxGramRows) {
+        Result<MatrixXd> basis = principalBasisByProducts(frames, means, count, progress);
+        if (!basis || basis->cols() > 0)
+            return basis;
+    }
     const Result<MatrixXd> gram = gramMatrix(frames, means, progress.part(0, 0.7));
     if (!gram)
         return fail(gram.error());
