@@ -19,7 +19,7 @@ namespace {
 constexpr int SamplesPerAxis = 2;         ///< 2 x 2 a pixel
 constexpr int BandHeight = 16;            ///< pixels; a band is the unit of work for a thread and bounds the memory
 constexpr double SnapSteps = 256;         ///< of a vertex, per sample
-constexpr float WireHalfWidth = 0.55f;    ///< pixels, on each side of an edge
+constexpr float WireHalfWidth = 0.4f;     ///< pixels, on each side of an edge
 constexpr float WireOpacity = 0.75f;      ///< keeps the surface readable where triangles are as small as pixels
 constexpr std::uint32_t NoTriangle = ~0u; ///< a sample that shows the background
 
