@@ -72,10 +72,12 @@ ClipVertex blend(const ClipVertex &a, const ClipVertex &b, double t)
 class Scene
 {
 public:
-    Scene(int width, int height)
+    Scene(int width, int height, std::size_t triangleCount)
         : mWidth(width * SamplesPerAxis)
         , mHeight(height * SamplesPerAxis)
-    {}
+    {
+        mTriangles.reserve(triangleCount);
+    }
 
     const std::vector<ScreenTriangle> &triangles() const { return mTriangles; }
 
@@ -166,7 +168,7 @@ Vec3f linear(const std::array<std::uint8_t, 3> &colour)
 
 std::uint8_t displayed(float channel)
 {
-    return std::uint8_t(std::lround(255.0f * std::sqrt(std::clamp(channel, 0.0f, 1.0f))));
+    return std::uint8_t(255.0f * std::sqrt(std::clamp(channel, 0.0f, 1.0f)) + 0.5f);
 }
 
 /// The rows first..last of the picture, drawn by one thread.
@@ -301,8 +303,8 @@ std::vector<Triangle> finiteTriangles(std::span<const Vec3f> positions, std::spa
 Scene sceneOf(std::span<const Vec3f> positions, std::span<const Triangle> triangles, const OrbitCamera &camera,
               int width, int height)
 {
-    Scene scene(width, height);
     const std::vector<Triangle> drawn = finiteTriangles(positions, triangles);
+    Scene scene(width, height, drawn.size());
     if (drawn.empty())
         return scene;
     Box3f box;
