@@ -24,8 +24,7 @@ Result<void> openFile(QFile &file);
 /// \error CannotRead, Cancelled
 Result<std::uint64_t> readInto(QFile &file, char *out, std::uint64_t count, const Progress &progress = Progress());
 
-/// The contents of one file after another, in memory that is reused. Reading into warm memory is faster than mapping
-/// each file (model/io/README.md).
+/// The contents of one file after another, in memory that is reused.
 class FileBuffer
 {
 public:
