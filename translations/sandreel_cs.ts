@@ -539,219 +539,219 @@
     </message>
     <message>
         <source>the folder cannot be made</source>
-        <translation type="unfinished"></translation>
+        <translation>složku nelze vytvořit</translation>
     </message>
     <message>
         <source>the folder holds frames already</source>
-        <translation type="unfinished"></translation>
+        <translation>ve složce už jsou snímky</translation>
     </message>
     <message>
         <source>it is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>je to složka</translation>
     </message>
     <message>
         <source>it is not an ordinary file</source>
-        <translation type="unfinished"></translation>
+        <translation>není to obyčejný soubor</translation>
     </message>
     <message>
         <source>vertex %1</source>
-        <translation type="unfinished"></translation>
+        <translation>vrchol %1</translation>
     </message>
     <message>
         <source>vertex %1 of frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>vrchol %1 ve snímku %2</translation>
     </message>
     <message>
         <source>triangle %1</source>
-        <translation type="unfinished"></translation>
+        <translation>trojúhelník %1</translation>
     </message>
     <message>
         <source>memory</source>
-        <translation type="unfinished"></translation>
+        <translation>paměť</translation>
     </message>
     <message>
         <source>format version</source>
-        <translation type="unfinished"></translation>
+        <translation>verze formátu</translation>
     </message>
     <message>
         <source>vertex count</source>
-        <translation type="unfinished"></translation>
+        <translation>počet vrcholů</translation>
     </message>
     <message>
         <source>triangle count</source>
-        <translation type="unfinished"></translation>
+        <translation>počet trojúhelníků</translation>
     </message>
     <message>
         <source>frame count</source>
-        <translation type="unfinished"></translation>
+        <translation>počet snímků</translation>
     </message>
     <message>
         <source>rows per stream</source>
-        <translation type="unfinished"></translation>
+        <translation>řádky v proudu</translation>
     </message>
     <message>
         <source>stream count</source>
-        <translation type="unfinished"></translation>
+        <translation>počet proudů</translation>
     </message>
     <message>
         <source>chunk tag</source>
-        <translation type="unfinished"></translation>
+        <translation>značka části</translation>
     </message>
     <message>
         <source>letters and digits</source>
-        <translation type="unfinished"></translation>
+        <translation>písmena a číslice</translation>
     </message>
     <message>
         <source>at most the bytes left</source>
-        <translation type="unfinished"></translation>
+        <translation>nejvýše zbývající bajty</translation>
     </message>
     <message>
         <source>There are %1 vertices here, but %2 in %3. All frames of an animation and its base mesh need the same vertices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Počet vrcholů je zde %1, ale v souboru %3 je to %2. Všechny snímky animace i její základní síť musí mít stejné vrcholy.</translation>
     </message>
     <message>
         <source>the size of the file in bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>velikost souboru v bajtech</translation>
     </message>
     <message>
         <source>it is not a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>není to složka</translation>
     </message>
     <message>
         <source>no permission to read it</source>
-        <translation type="unfinished"></translation>
+        <translation>chybí oprávnění ke čtení</translation>
     </message>
     <message>
         <source>a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>souřadnice</translation>
     </message>
     <message>
         <source>a face with at least 3 corners</source>
-        <translation type="unfinished"></translation>
+        <translation>stěna s alespoň 3 rohy</translation>
     </message>
     <message>
         <source>a vertex number</source>
-        <translation type="unfinished"></translation>
+        <translation>číslo vrcholu</translation>
     </message>
     <message>
         <source>the number of vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>počet vrcholů</translation>
     </message>
     <message>
         <source>the number of faces</source>
-        <translation type="unfinished"></translation>
+        <translation>počet stěn</translation>
     </message>
     <message>
         <source>vertices with other than 3 coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>vrcholy s jiným počtem souřadnic než 3</translation>
     </message>
     <message>
         <source>the binary form of OFF</source>
-        <translation type="unfinished"></translation>
+        <translation>binární podoba OFF</translation>
     </message>
     <message>
         <source>a line of a PLY header</source>
-        <translation type="unfinished"></translation>
+        <translation>řádek hlavičky PLY</translation>
     </message>
     <message>
         <source>a PLY format</source>
-        <translation type="unfinished"></translation>
+        <translation>formát PLY</translation>
     </message>
     <message>
         <source>the number of elements</source>
-        <translation type="unfinished"></translation>
+        <translation>počet prvků</translation>
     </message>
     <message>
         <source>triangle strips</source>
-        <translation type="unfinished"></translation>
+        <translation>pásy trojúhelníků</translation>
     </message>
     <message>
         <source>an integer type</source>
-        <translation type="unfinished"></translation>
+        <translation>celočíselný typ</translation>
     </message>
     <message>
         <source>a type</source>
-        <translation type="unfinished"></translation>
+        <translation>typ</translation>
     </message>
     <message>
         <source>vertices without one x, y and z each</source>
-        <translation type="unfinished"></translation>
+        <translation>vrcholy bez jednoho x, y a z</translation>
     </message>
     <message>
         <source>faces without one list of vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>stěny bez jednoho seznamu vrcholů</translation>
     </message>
     <message>
         <source>an integer</source>
-        <translation type="unfinished"></translation>
+        <translation>celé číslo</translation>
     </message>
     <message>
         <source>a value</source>
-        <translation type="unfinished"></translation>
+        <translation>hodnota</translation>
     </message>
     <message>
         <source>the length of a list</source>
-        <translation type="unfinished"></translation>
+        <translation>délka seznamu</translation>
     </message>
     <message>
         <source>the number of frames</source>
-        <translation type="unfinished"></translation>
+        <translation>počet snímků</translation>
     </message>
     <message>
         <source>the number of vertices times frames</source>
-        <translation type="unfinished"></translation>
+        <translation>počet vrcholů krát snímků</translation>
     </message>
     <message>
         <source>the scene contradicts itself</source>
-        <translation type="unfinished"></translation>
+        <translation>scéna si odporuje</translation>
     </message>
     <message>
         <source>for an unknown reason</source>
-        <translation type="unfinished"></translation>
+        <translation>z neznámého důvodu</translation>
     </message>
     <message>
         <source>The number of the animation</source>
-        <translation type="unfinished"></translation>
+        <translation>Číslo animace</translation>
     </message>
     <message>
         <source>there is no mesh in it</source>
-        <translation type="unfinished"></translation>
+        <translation>není v ní žádná síť</translation>
     </message>
     <message>
         <source>&quot;facet&quot; or &quot;endsolid&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>„facet“ nebo „endsolid“</translation>
     </message>
     <message>
         <source>&quot;solid&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>„solid“</translation>
     </message>
     <message>
         <source>&quot;normal&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>„normal“</translation>
     </message>
     <message>
         <source>&quot;outer loop&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>„outer loop“</translation>
     </message>
     <message>
         <source>&quot;endloop&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>„endloop“</translation>
     </message>
     <message>
         <source>&quot;endfacet&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>„endfacet“</translation>
     </message>
     <message>
         <source>&quot;vertex&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>„vertex“</translation>
     </message>
     <message>
         <source>the end of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>konec souboru</translation>
     </message>
     <message>
         <source>the end of the line</source>
-        <translation type="unfinished"></translation>
+        <translation>konec řádku</translation>
     </message>
 </context>
 <context>
@@ -860,6 +860,17 @@
     </message>
 </context>
 <context>
+    <name>ViewActions</name>
+    <message>
+        <source>Density of the points</source>
+        <translation>Hustota bodů</translation>
+    </message>
+    <message>
+        <source>Share of the vertices that are drawn as points</source>
+        <translation>Podíl vrcholů kreslených jako body</translation>
+    </message>
+</context>
+<context>
     <name>editor::DocumentTab</name>
     <message>
         <source>Opening %1…</source>
@@ -872,22 +883,6 @@
     <message>
         <source>Cancel</source>
         <translation>Zrušit</translation>
-    </message>
-    <message>
-        <source>The picture cannot be drawn</source>
-        <translation>Obraz nelze vykreslit</translation>
-    </message>
-    <message>
-        <source>Sandreel draws with OpenGL 3.3 or newer. %1 Installing or updating the graphics driver usually helps. Everything else works: the animation can be edited, saved and exported.</source>
-        <translation>Sandreel kreslí pomocí OpenGL 3.3 nebo novějšího. %1 Obvykle pomůže nainstalovat nebo aktualizovat ovladač grafické karty. Všechno ostatní funguje: animaci lze upravovat, ukládat i exportovat.</translation>
-    </message>
-    <message>
-        <source>This computer offers no OpenGL.</source>
-        <translation>Tento počítač žádné OpenGL nenabízí.</translation>
-    </message>
-    <message>
-        <source>This computer offers only OpenGL %1.</source>
-        <translation>Tento počítač nabízí jen OpenGL %1.</translation>
     </message>
 </context>
 <context>
@@ -1207,33 +1202,6 @@
     <message>
         <source>Open animations</source>
         <translation>Otevřené animace</translation>
-    </message>
-</context>
-<context>
-    <name>views</name>
-    <message>
-        <source>Vertices</source>
-        <translation>Vrcholy</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Trojúhelníky</translation>
-    </message>
-    <message>
-        <source>Frames/s</source>
-        <translation>Snímky/s</translation>
-    </message>
-    <message>
-        <source>Decode</source>
-        <translation>Dekódování</translation>
-    </message>
-    <message>
-        <source>Upload</source>
-        <translation>Přenos</translation>
-    </message>
-    <message>
-        <source>Draw</source>
-        <translation>Kreslení</translation>
     </message>
 </context>
 <context>
@@ -1819,15 +1787,15 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
     <name>views::NoGlView</name>
     <message>
         <source>No OpenGL was found on this computer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na tomto počítači nebylo nalezeno žádné OpenGL.</translation>
     </message>
     <message>
         <source>This computer offers OpenGL %1 (%2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Tento počítač nabízí OpenGL %1 (%2).</translation>
     </message>
     <message>
         <source>The 3D view needs OpenGL 3.3. Installing the newest driver of the graphics card, or Mesa&apos;s software renderer, helps. Until then the processor draws the animation, slowly; everything else works.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prostorové zobrazení potřebuje OpenGL 3.3. Pomůže nainstalovat nejnovější ovladač grafické karty nebo softwarové vykreslování Mesa. Do té doby kreslí animaci pomalu procesor; vše ostatní funguje.</translation>
     </message>
 </context>
 <context>
@@ -2282,6 +2250,33 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 pixelů</translation>
+    </message>
+</context>
+<context>
+    <name>views::Statistics</name>
+    <message>
+        <source>Vertices</source>
+        <translation>Vrcholy</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Frames/s</source>
+        <translation>Snímky/s</translation>
+    </message>
+    <message>
+        <source>Decode</source>
+        <translation>Dekódování</translation>
+    </message>
+    <message>
+        <source>Upload</source>
+        <translation>Přenos</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Kreslení</translation>
     </message>
 </context>
 <context>

@@ -78,7 +78,7 @@ constexpr Spec Specs[] = {
      QT_TRANSLATE_NOOP("Actions", "Draw only the edges of the triangles"), true},
     {ActionId::Points, "view.points", View, QT_TRANSLATE_NOOP("Actions", "&Points"), "points", "4",
      QT_TRANSLATE_NOOP("Actions", "Draw only the vertices"), true},
-    {ActionId::Statistics, "view.statistics", View, QT_TRANSLATE_NOOP("Actions", "S&tatistics"), "statistics", "I",
+    {ActionId::Statistics, "view.statistics", View, QT_TRANSLATE_NOOP("Actions", "S&tatistics"), "statistics", "T",
      QT_TRANSLATE_NOOP("Actions", "Show sizes and times over the picture"), true},
     {ActionId::Fit, "view.fit", View, QT_TRANSLATE_NOOP("Actions", "&Fit to Window"), "fit", "F",
      QT_TRANSLATE_NOOP("Actions", "Move the camera so that everything is seen")},
@@ -133,7 +133,9 @@ Actions::Actions(QWidget &window)
         if (*spec.icon)
             action->setIcon(views::icon(QLatin1String(spec.icon)));
         action->setCheckable(spec.checkable);
-        const QList<QKeySequence> shortcuts = QKeySequence::listFromString(QLatin1String(spec.shortcuts));
+        QList<QKeySequence> shortcuts;
+        if (*spec.shortcuts)
+            shortcuts = QKeySequence::listFromString(QLatin1String(spec.shortcuts));
         action->setShortcuts(shortcuts);
         window.addAction(action);
         mById.emplace(spec.id, action);

@@ -2,8 +2,7 @@
 #include "app/editor/documenttab.h"
 
 #include "views/viewport/animationviewport.h"
-#include "views/viewport/glsupport.h"
-#include "views/widgets/icons.h"
+#include "views/viewport/noglview.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -65,27 +64,6 @@ QWidget *DocumentTab::makeOpeningPage()
     return page;
 }
 
-QWidget *DocumentTab::makeNoGlPage()
-{
-    auto *page = new QWidget(this);
-    page->setObjectName(QStringLiteral("noOpenGlPage"));
-    auto *layout = new QVBoxLayout(page);
-    auto *picture = new QLabel(page);
-    picture->setPixmap(views::icon(QStringLiteral("warning")).pixmap(48, 48));
-    mNoGlTitle = makeTitle(page);
-    mNoGlText = new QLabel(page);
-    mNoGlText->setWordWrap(true);
-    mNoGlText->setFixedWidth(460);
-    mNoGlText->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    mNoGlText->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    layout->addStretch();
-    layout->addWidget(picture, 0, Qt::AlignHCenter);
-    layout->addWidget(mNoGlTitle, 0, Qt::AlignHCenter);
-    layout->addWidget(mNoGlText, 0, Qt::AlignHCenter);
-    layout->addStretch();
-    return page;
-}
-
 void DocumentTab::showDocument()
 {
     if (mPages->count() == 1) {
@@ -93,7 +71,7 @@ void DocumentTab::showDocument()
         if (mCanDraw)
             page = mViewport = new views::AnimationViewport(mDocument.player(), this);
         else
-            page = makeNoGlPage();
+            page = new views::NoGlView(mDocument.player(), this);
         mPages->addWidget(page);
         retranslate();
     }
@@ -112,15 +90,6 @@ void DocumentTab::retranslate()
     mOpeningTitle->setText(tr("Opening %1…").arg(mDocument.title()));
     mOpeningBar->setAccessibleName(tr("Progress of opening"));
     mCancel->setText(tr("Cancel"));
-    if (mNoGlTitle) {
-        mNoGlTitle->setText(tr("The picture cannot be drawn"));
-        const QString found = views::glSupport().version;
-        mNoGlText->setText(
-            tr("Sandreel draws with OpenGL 3.3 or newer. %1 Installing or updating the graphics driver usually helps. "
-               "Everything else works: the animation can be edited, saved and exported.")
-                .arg(found.isEmpty() ? tr("This computer offers no OpenGL.")
-                                     : tr("This computer offers only OpenGL %1.").arg(found)));
-    }
 }
 
 } // namespace editor

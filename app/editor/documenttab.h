@@ -16,7 +16,7 @@ class AnimationViewport;
 
 namespace editor {
 
-/// A tab's page: how far the opening is, then the viewport, or why there can be none.
+/// A tab's page: how far the opening is, then the viewport, or what stands for it without OpenGL.
 class DocumentTab final : public QWidget
 {
     Q_OBJECT
@@ -35,7 +35,6 @@ protected:
 
 private:
     QWidget *makeOpeningPage();
-    QWidget *makeNoGlPage();
     void showDocument();
     void retranslate();
 
@@ -45,8 +44,6 @@ private:
     QLabel *mOpeningTitle = nullptr;
     QProgressBar *mOpeningBar = nullptr;
     QPushButton *mCancel = nullptr;
-    QLabel *mNoGlTitle = nullptr;
-    QLabel *mNoGlText = nullptr;
     views::AnimationViewport *mViewport = nullptr;
 };
 

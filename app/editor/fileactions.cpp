@@ -6,6 +6,7 @@
 #include "model/io/animationreader.h"
 #include "model/io/errortext.h"
 #include "views/dialogs/preparedialog.h"
+#include "views/dialogs/quantitytext.h"
 #include "views/itemmodels/logmodel.h"
 #include "views/viewport/glsupport.h"
 
@@ -305,9 +306,8 @@ void FileActions::openingFailed(DocumentTab &tab, const model::Error &error)
 void FileActions::saved(DocumentTab &tab)
 {
     const Document &document = tab.document();
-    mLog.add(
-        views::LogLevel::Info,
-        tr("Saved %1 (%2)").arg(document.path(), QLocale().formattedDataSize(qint64(document.fileFacts()->bytes))));
+    mLog.add(views::LogLevel::Info,
+             tr("Saved %1 (%2)").arg(document.path(), views::bytesText(document.fileFacts()->bytes)));
     mSettings.addRecentFile(document.path());
     mSettings.setLastFolder(QFileInfo(document.path()).absolutePath());
     emit recentFilesChanged();

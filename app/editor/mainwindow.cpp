@@ -13,7 +13,6 @@
 
 #include <QCloseEvent>
 #include <QMenu>
-#include <QSignalBlocker>
 #include <QStatusBar>
 #include <QToolBar>
 
@@ -64,9 +63,10 @@ MainWindow::MainWindow(Language &language)
 
 MainWindow::~MainWindow()
 {
-    // The documents go first, while everything that follows them is still there.
-    const QSignalBlocker blocker(mWorkspace);
-    for (DocumentTab *tab : mWorkspace->tabs())
+    // The documents go first, while everything that follows them is still there; also those whose tabs are closed and
+    // wait for the event loop.
+    mWorkspace->blockSignals(true);
+    for (DocumentTab *tab : findChildren<DocumentTab *>())
         delete tab;
 }
 
@@ -108,6 +108,8 @@ void MainWindow::makeDocks()
     splitDockWidget(mTimeline, mLogDock, Qt::Vertical);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     mLogDock->hide();
+    resizeDocks({mCompression, mHistory}, {300, 300}, Qt::Horizontal);
+    resizeDocks({mCompression, mHistory}, {430, 220}, Qt::Vertical);
 
     const QList<QAction *> playActions = mTimeline->actions();
     for (QAction *action : playActions) {
@@ -180,6 +182,7 @@ void MainWindow::retranslate()
 {
     mActions.retranslate();
     mMenus.retranslate();
+    mViews.retranslate();
     mStatus.retranslate();
     for (QToolBar *bar : mToolBars)
         for (const auto &[key, title] : ToolBarTitles)

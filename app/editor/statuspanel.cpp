@@ -3,6 +3,7 @@
 
 #include "app/editor/documenttab.h"
 #include "app/editor/workspace.h"
+#include "views/dialogs/quantitytext.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -54,7 +55,7 @@ void StatusPanel::update()
         tr("%1 fps").arg(locale.toString(document.timing().frameRate, 'g', 5)),
     };
     if (const auto &facts = tab->document().fileFacts())
-        parts << locale.formattedDataSize(qint64(facts->bytes), 1, QLocale::DataSizeSIFormat);
+        parts << views::bytesText(facts->bytes);
     mNumbers->setText(parts.join(QStringLiteral("   ")));
     mNumbers->setToolTip(tr("Vertices, triangles, frames, frame rate, size of the file"));
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/theme.h"
 
+#include "views/widgets/icons.h"
+
 #include <QApplication>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QDockWidget>
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 namespace editor {
 
@@ -58,6 +62,46 @@ QPalette paletteOf(const Colours &c)
     return palette;
 }
 
+/// Fusion with our own small pictures where it has ones that fit no theme.
+class Style final : public QProxyStyle
+{
+public:
+    Style()
+        : QProxyStyle(QStringLiteral("Fusion"))
+    {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
+                       const QWidget *widget) const override
+    {
+        if (element != PE_IndicatorTabClose) {
+            QProxyStyle::drawPrimitive(element, option, painter, widget);
+            return;
+        }
+        if (option->state & State_MouseOver) {
+            QColor back = option->palette.color(QPalette::WindowText);
+            back.setAlpha(option->state & State_Sunken ? 60 : 30);
+            painter->setRenderHint(QPainter::Antialiasing);
+            painter->setPen(Qt::NoPen);
+            painter->setBrush(back);
+            painter->drawRoundedRect(option->rect, 3, 3);
+        }
+        mClose.paint(painter, option->rect.adjusted(2, 2, -2, -2));
+    }
+
+    QIcon standardIcon(StandardPixmap pixmap, const QStyleOption *option, const QWidget *widget) const override
+    {
+        if (qobject_cast<const QDockWidget *>(widget) && pixmap == SP_TitleBarCloseButton)
+            return mClose;
+        if (qobject_cast<const QDockWidget *>(widget) && pixmap == SP_TitleBarNormalButton)
+            return mFloat;
+        return QProxyStyle::standardIcon(pixmap, option, widget);
+    }
+
+private:
+    const QIcon mClose = views::icon(QStringLiteral("close"));
+    const QIcon mFloat = views::icon(QStringLiteral("float"));
+};
+
 bool systemIsDark()
 {
     // Asked once, before our own palette takes the place of the platform's.
@@ -110,8 +154,8 @@ QPalette darkPalette()
 void applyTheme(Theme theme)
 {
     const bool dark = theme == Theme::Dark || (systemIsDark() && theme == Theme::System);
-    if (QApplication::style()->name() != QLatin1String("fusion"))
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    if (!dynamic_cast<Style *>(QApplication::style()))
+        QApplication::setStyle(new Style);
     QApplication::setPalette(dark ? darkPalette() : lightPalette());
 }
 

@@ -66,6 +66,14 @@ QWidget *ViewActions::makeDensitySlider(QWidget *parent)
     return slider;
 }
 
+void ViewActions::retranslate()
+{
+    for (QSlider *slider : mSliders) {
+        slider->setAccessibleName(tr("Density of the points"));
+        slider->setToolTip(tr("Share of the vertices that are drawn as points"));
+    }
+}
+
 void ViewActions::follow()
 {
     views::AnimationViewport *view = viewport();

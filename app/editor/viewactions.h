@@ -30,6 +30,7 @@ public:
 
     /// The slider of the share of points, for toolbars and menus.
     QWidget *makeDensitySlider(QWidget *parent);
+    void retranslate();
 
 private:
     void follow();

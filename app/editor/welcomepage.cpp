@@ -2,6 +2,7 @@
 #include "app/editor/welcomepage.h"
 
 #include "app/editor/samples.h"
+#include "views/dialogs/quantitytext.h"
 #include "views/widgets/icons.h"
 
 #include <QDir>
@@ -9,7 +10,6 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
@@ -156,7 +156,7 @@ QToolButton *WelcomePage::makeCard(const Card &card)
     const QFileInfo file(card.path);
     if (!card.path.startsWith(QLatin1String(":/")))
         button->setToolTip(QDir::toNativeSeparators(card.path) + QLatin1Char('\n') +
-                           QLocale().formattedDataSize(file.size(), 1, QLocale::DataSizeSIFormat));
+                           views::bytesText(std::uint64_t(file.size())));
     connect(button, &QToolButton::clicked, this, [this, path = card.path] { emit openRequested(path); });
     return button;
 }

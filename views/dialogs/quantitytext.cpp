@@ -42,7 +42,7 @@ QString countText(std::uint64_t count)
 
 QString bytesText(std::uint64_t bytes)
 {
-    return QLocale().formattedDataSize(qint64(bytes), bytes < 1024 ? 0 : 1, QLocale::DataSizeTraditionalFormat);
+    return QLocale().formattedDataSize(qint64(bytes), bytes < 1000 ? 0 : 1, QLocale::DataSizeSIFormat);
 }
 
 QString durationText(double seconds)

@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -75,13 +76,16 @@ void CompressionDock::build()
     auto *scroll = new QScrollArea;
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus); // the fields in it have the focus
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
     column->addWidget(makeSettingsPart(content));
     column->addWidget(makeMeasurePart(content));
     column->addWidget(makeFilePart(content), 1);
+    column->addStretch();
     scroll->setWidget(content);
+    scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
     QWidget *before = widget();
     setWidget(scroll);
     delete before;
@@ -95,7 +99,13 @@ QWidget *CompressionDock::makeSettingsPart(QWidget *parent)
     auto *part = new QGroupBox(tr("When Saved"), parent);
     auto *form = new QFormLayout(part);
     form->setRowWrapPolicy(QFormLayout::DontWrapRows);
+    mSettingsPart = part;
     mFields = new CompressionFields(*form, part);
+    // A dock is narrow: no remarks, and a refusal may take several lines.
+    for (NumberField *field : {&mFields->basisSize(), &mFields->resolution()})
+        field->setHint(QString());
+    for (HintLabel *hint : part->findChildren<HintLabel *>())
+        hint->setWordWrap(true);
     connect(mFields, &CompressionFields::changed, this, &CompressionDock::editSettings);
     // Steps that follow one another in one field are one step of the history; leaving the field ends it.
     for (NumberField *field : {&mFields->basisSize(), &mFields->resolution()})
@@ -152,7 +162,9 @@ QWidget *CompressionDock::makeFilePart(QWidget *parent)
     mChunks->setRootIsDecorated(false);
     mChunks->setUniformRowHeights(true);
     mChunks->setAlternatingRowColors(true);
-    mChunks->setMinimumHeight(110);
+    mChunks->setMinimumHeight(80);
+    for (const int column_ : {1, 2})
+        mChunks->headerItem()->setTextAlignment(column_, Qt::AlignRight);
     mChunks->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     column->addWidget(mChunks, 1);
     return part;
@@ -167,8 +179,7 @@ void CompressionDock::editSettings()
 
 void CompressionDock::showSettings()
 {
-    mFields->basisSize().setEnabled(mContext);
-    mFields->resolution().setEnabled(mContext);
+    mSettingsPart->setEnabled(mContext);
     if (!mContext)
         return;
     const model::CompressionSettings &settings = mContext->document().compression();

@@ -68,6 +68,7 @@ private:
     commands::GestureId mGesture = commands::NoGesture;
     QMetaObject::Connection mChanges;
 
+    QWidget *mSettingsPart = nullptr;
     CompressionFields *mFields = nullptr;
     QWidget *mFilePart = nullptr;
     QLabel *mFactValues[6] = {};

@@ -16,6 +16,7 @@ HistoryDock::HistoryDock(QWidget *parent)
     mSteps->setObjectName(QStringLiteral("historySteps"));
     mSteps->setFrameShape(QFrame::NoFrame);
     mSteps->setAlternatingRowColors(true);
+    mSteps->setIconSize({16, 16});
     mSteps->setCleanIcon(icon(QStringLiteral("save")));
     setWidget(mSteps);
     retranslate();

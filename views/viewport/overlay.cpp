@@ -13,6 +13,11 @@ namespace {
 
 constexpr int Margin = 10;
 
+struct Statistics
+{
+    Q_DECLARE_TR_FUNCTIONS(views::Statistics)
+};
+
 QString milliseconds(double value)
 {
     return QLocale().toString(value, 'f', 1) + QStringLiteral(" ms");
@@ -23,14 +28,13 @@ QString milliseconds(double value)
 void drawStatistics(QPainter &painter, const ViewportStatistics &statistics, bool isDark)
 {
     const QLocale locale;
-    const auto tr = [](const char *text) { return QCoreApplication::translate("views::AnimationViewport", text); };
     const std::array<std::pair<QString, QString>, 6> rows{{
-        {tr("Vertices"), locale.toString(statistics.vertexCount)},
-        {tr("Triangles"), locale.toString(qulonglong(statistics.triangleCount))},
-        {tr("Frames/s"), locale.toString(statistics.framesPerSecond, 'f', 0)},
-        {tr("Decode"), milliseconds(statistics.computeMilliseconds)},
-        {tr("Upload"), milliseconds(statistics.uploadMilliseconds)},
-        {tr("Draw"), milliseconds(statistics.drawMilliseconds)},
+        {Statistics::tr("Vertices"), locale.toString(statistics.vertexCount)},
+        {Statistics::tr("Triangles"), locale.toString(qulonglong(statistics.triangleCount))},
+        {Statistics::tr("Frames/s"), locale.toString(statistics.framesPerSecond, 'f', 0)},
+        {Statistics::tr("Decode"), milliseconds(statistics.computeMilliseconds)},
+        {Statistics::tr("Upload"), milliseconds(statistics.uploadMilliseconds)},
+        {Statistics::tr("Draw"), milliseconds(statistics.drawMilliseconds)},
     }};
     const QFontMetrics metrics = painter.fontMetrics();
     int names = 0, values = metrics.horizontalAdvance(QStringLiteral("000.0 ms"));

@@ -81,7 +81,7 @@ private slots:
         QCOMPARE(textOf(dialog, "factFormat"), QString("Folder of OBJ frames"));
         QCOMPARE(textOf(dialog, "factFrames"), QString("12 (0.5 s)"));
         QCOMPARE(textOf(dialog, "factTriangles"), QString("48"));
-        QCOMPARE(textOf(dialog, "factRawSize"), QString("4.9 kB")); // 35 * 12 * 12 bytes
+        QCOMPARE(textOf(dialog, "factRawSize"), QString("5.0 kB")); // 35 * 12 * 12 bytes
         QVERIFY(textOf(dialog, "factBox").startsWith("1 × 1 × "));
         QCOMPARE(textOf(dialog, "name"), QString("walk"));
         QCOMPARE(textOf(dialog, "output"), path("walk.anim"));
