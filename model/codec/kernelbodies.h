@@ -13,21 +13,28 @@ namespace model::codec {
 namespace {
 
 using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using DoubleMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Rows = Eigen::Map<const Matrix, 0, Eigen::OuterStride<>>;
 
 void gramTileBody(const float *a, std::size_t rowsA, const float *b, std::size_t rowsB, std::size_t depth,
                   std::size_t stride, double *sums, std::size_t sumStride)
 {
-    constexpr std::size_t FloatDepth = 512;
-    Matrix part(rowsA, rowsB);
-    for (std::size_t d = 0; d < depth; d += FloatDepth) {
-        const std::size_t count = depth - d < FloatDepth ? depth - d : FloatDepth;
-        const Rows left(a + d, Eigen::Index(rowsA), Eigen::Index(count), Eigen::OuterStride<>(Eigen::Index(stride)));
-        const Rows right(b + d, Eigen::Index(rowsB), Eigen::Index(count), Eigen::OuterStride<>(Eigen::Index(stride)));
+    // In double: with float products, components below some 1e-4 of the strongest drown in rounding.
+    constexpr std::size_t BlockDepth = 256;
+    DoubleMatrix left, right, part(rowsA, rowsB);
+    for (std::size_t d = 0; d < depth; d += BlockDepth) {
+        const std::size_t count = depth - d < BlockDepth ? depth - d : BlockDepth;
+        const auto load = [&](DoubleMatrix &into, const float *rows, std::size_t rowCount) {
+            const Rows block(rows + d, Eigen::Index(rowCount), Eigen::Index(count),
+                             Eigen::OuterStride<>(Eigen::Index(stride)));
+            into = block.cast<double>();
+        };
+        load(left, a, rowsA);
+        load(right, b, rowsB);
         part.noalias() = left * right.transpose();
         for (std::size_t i = 0; i < rowsA; ++i)
             for (std::size_t j = 0; j < rowsB; ++j)
-                sums[i * sumStride + j] += double(part(Eigen::Index(i), Eigen::Index(j)));
+                sums[i * sumStride + j] += part(Eigen::Index(i), Eigen::Index(j));
     }
 }
 

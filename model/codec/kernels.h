@@ -15,7 +15,7 @@ struct Kernels
 {
     const char *name;
 
-    /// sums += a b^T over `depth` columns; products in float, sums of every 512 columns in double.
+    /// sums += a b^T over `depth` columns; products and sums in double.
     /// \param a, b   rowsA, rowsB x depth, rows `stride` floats apart
     /// \param sums   rowsA x rowsB, rows `sumStride` doubles apart; rowsA, rowsB at most MaxGramTile
     void (*gramTile)(const float *a, std::size_t rowsA, const float *b, std::size_t rowsB, std::size_t depth,
