@@ -331,7 +331,11 @@ void PrepareDialog::readSourceNow()
         options.animationIndex = mAnimation->value() - 1;
     }
     mReading.start([path, options](const model::Progress &progress) { return readSource(path, options, progress); },
-                   [this](model::Result<FoundSource> result) { showFound(std::move(result)); });
+                   [this, path](model::Result<FoundSource> result) {
+                       // A source that was read to its end may have left the field a moment before.
+                       if (path == mSource->path() && !mReadDelay.isActive())
+                           showFound(std::move(result));
+                   });
     showReading(true);
 }
 
