@@ -47,7 +47,26 @@ build() {
 
 has_display() { [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; }
 
-# Runs a command in a virtual display of its own.
+# Runs a command in a virtual display of its own and returns what it returns.
 in_virtual_display() {
-  xvfb-run --auto-servernum --server-args="-screen 0 1600x1000x24" "$@"
+  local folder server status=0 tries=0
+  folder=$(mktemp -d)
+  # The server picks a free number and says which; xvfb-run guesses one, and fails now and then when it tidies up.
+  Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$folder/number" 2>"$folder/log" &
+  server=$!
+  until [ -s "$folder/number" ]; do
+    if ! kill -0 "$server" 2>/dev/null || [ $((tries += 1)) -gt 300 ]; then
+      say "The virtual display did not start:"
+      cat "$folder/log" >&2
+      rm -rf "$folder"
+      return 1
+    fi
+    sleep 0.1
+  done
+  mkdir -m 700 "$folder/runtime"
+  DISPLAY=:$(cat "$folder/number") XDG_RUNTIME_DIR=$folder/runtime "$@" || status=$?
+  kill "$server" 2>/dev/null
+  wait "$server" 2>/dev/null || true
+  rm -rf "$folder" || true
+  return "$status"
 }
