@@ -809,7 +809,7 @@
     </message>
     <message>
         <source>Walker</source>
-        <translation>Chodec</translation>
+        <translation>Čtyřnožec</translation>
     </message>
 </context>
 <context>
