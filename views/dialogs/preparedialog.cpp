@@ -22,6 +22,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -104,6 +105,7 @@ PrepareDialog::~PrepareDialog()
 QWidget *PrepareDialog::makeSourcePart()
 {
     auto *part = new QWidget(this);
+    part->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     mSourceForm = new QFormLayout(part);
     mSourceForm->setContentsMargins(0, 0, 0, 0);
     mSource = new PathField(tr("Source"), PathField::ExistingFolder | PathField::ExistingFile, part);
@@ -360,6 +362,12 @@ void PrepareDialog::showFound(model::Result<FoundSource> result)
         return;
     }
     mFound = std::move(*result);
+    if (mFound->path != mTriedSource) {
+        // Tries compare settings, not animations; and a file made of another source is asked about before it goes.
+        mTries->clear();
+        mTriesPart->hide();
+        mTriedSource = mFound->path;
+    }
     const model::FrameSource &frames = *mFound->frames;
     const double seconds = frames.frameCount() / frames.frameRate();
     mFacts[Format]->setText(mFound->format);
@@ -475,7 +483,9 @@ void PrepareDialog::showEncoded(model::Result<EncodingReport> result)
     if (result) {
         if (!mTriesPart->isVisibleTo(this)) {
             mTriesPart->show();
-            resize(width(), qMax(height(), sizeHint().height()));
+            constexpr int TitleBar = 40;
+            const int room = screen()->availableGeometry().height() - TitleBar;
+            resize(width(), qMin(room, qMax(height(), sizeHint().height())));
         }
         mTries->add(*result);
         updateEncodeButton();

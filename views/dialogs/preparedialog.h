@@ -77,6 +77,7 @@ private:
     void encodeAgain();
 
     std::optional<FoundSource> mFound;
+    QString mTriedSource;    ///< what the tries were made of
     QString mProposedOutput; ///< still ours to replace while the field shows it
     QString mProposedName;
     double mProposedRate = 0;
