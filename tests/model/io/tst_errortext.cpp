@@ -61,7 +61,7 @@ class Brackets final : public QTranslator
 public:
     QString translate(const char *context, const char *text, const char *, int) const override
     {
-        if (qstrcmp(context, "ErrorText") != 0 || qstrcmp(text, "/tmp/a") == 0)
+        if (qstrcmp(context, "ErrorText") != 0 || qstrcmp(text, "/data/a") == 0)
             return {};
         return QLatin1Char('[') + QString::fromUtf8(text) + QLatin1Char(']');
     }
@@ -99,13 +99,13 @@ private slots:
         QCOMPARE(errorText(error), "The mesh has no vertices.");
         error.line = 7;
         QCOMPARE(errorText(error), "Line 7: The mesh has no vertices.");
-        error.file = "/tmp/a %2 %1";
-        QCOMPARE(errorText(error), "/tmp/a %2 %1, line 7: The mesh has no vertices.");
+        error.file = "/data/a %2 %1";
+        QCOMPARE(errorText(error), "/data/a %2 %1, line 7: The mesh has no vertices.");
         error.line = Error::None;
         error.offset = 12;
-        QCOMPARE(errorText(error), "/tmp/a %2 %1, byte 12: The mesh has no vertices.");
+        QCOMPARE(errorText(error), "/data/a %2 %1, byte 12: The mesh has no vertices.");
         error.offset = Error::None;
-        QCOMPARE(errorText(error), "/tmp/a %2 %1: The mesh has no vertices.");
+        QCOMPARE(errorText(error), "/data/a %2 %1: The mesh has no vertices.");
     }
 
     void argumentsAreTakenAsTheyAre()
@@ -123,11 +123,11 @@ private slots:
         QVERIFY(QCoreApplication::installTranslator(&translator));
         const QString text = errorText(fail(ErrorCode::NonFinite, "vertex 12").value());
         const QString two = errorText(fail(ErrorCode::NonFinite, "vertex 12 of frame 3").value());
-        const QString place = errorText(fail(ErrorCode::NotFound).value().in("/tmp/a"));
+        const QString place = errorText(fail(ErrorCode::NotFound).value().in("/data/a"));
         QCoreApplication::removeTranslator(&translator);
         QCOMPARE(text, "[A number is infinite or not a number: [vertex 12].]");
         QCOMPARE(two, "[A number is infinite or not a number: [vertex 12 of frame 3].]");
-        QCOMPARE(place, "[/tmp/a: [There is no such file or folder.]]");
+        QCOMPARE(place, "[/data/a: [There is no such file or folder.]]");
     }
 };
 
