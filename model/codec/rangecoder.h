@@ -32,6 +32,8 @@ private:
 };
 
 inline constexpr unsigned ProbabilityBits = 15;
+/// Bits of a probability that is given to decision().
+inline constexpr unsigned FineProbabilityBits = 16;
 inline constexpr std::uint32_t MinRange = 1u << 24;
 /// Most bits of one call of direct().
 inline constexpr unsigned MaxDirectBits = 12;
@@ -48,14 +50,15 @@ class RangeEncoder
 public:
     std::uint32_t bit(AdaptiveBit &model, std::uint32_t value)
     {
-        const std::uint32_t bound = (mRange >> ProbabilityBits) * model.probabilityOfOne();
-        if (value) {
-            mRange = bound;
-        } else {
-            mLow += bound;
-            mRange -= bound;
-        }
+        take((mRange >> ProbabilityBits) * model.probabilityOfOne(), value);
         model.update(value);
+        normalize();
+        return value;
+    }
+    /// A decision whose probability to be 1 somebody else computed: 1 ... 2^FineProbabilityBits - 1.
+    std::uint32_t decision(std::uint32_t probabilityOfOne, std::uint32_t value)
+    {
+        take((mRange >> FineProbabilityBits) * probabilityOfOne, value);
         normalize();
         return value;
     }
@@ -71,6 +74,15 @@ public:
     Bytes finish();
 
 private:
+    void take(std::uint32_t bound, std::uint32_t value)
+    {
+        if (value) {
+            mRange = bound;
+        } else {
+            mLow += bound;
+            mRange -= bound;
+        }
+    }
     void normalize()
     {
         while (mRange < MinRange) {
@@ -103,12 +115,14 @@ public:
 
     std::uint32_t bit(AdaptiveBit &model, std::uint32_t = 0)
     {
-        const std::uint32_t bound = (mRange >> ProbabilityBits) * model.probabilityOfOne();
-        const std::uint32_t value = mCode < bound;
-        const std::uint32_t zeroMask = value - 1u; // all ones for a zero
-        mCode -= bound & zeroMask;
-        mRange = (bound & ~zeroMask) | ((mRange - bound) & zeroMask);
+        const std::uint32_t value = taken((mRange >> ProbabilityBits) * model.probabilityOfOne());
         model.update(value);
+        normalize();
+        return value;
+    }
+    std::uint32_t decision(std::uint32_t probabilityOfOne, std::uint32_t = 0)
+    {
+        const std::uint32_t value = taken((mRange >> FineProbabilityBits) * probabilityOfOne);
         normalize();
         return value;
     }
@@ -130,6 +144,14 @@ public:
     bool isAtEnd() const { return !mBad && mPosition == mData.size() + ImpliedBytes; }
 
 private:
+    std::uint32_t taken(std::uint32_t bound)
+    {
+        const std::uint32_t value = mCode < bound;
+        const std::uint32_t zeroMask = value - 1u; // all ones for a zero
+        mCode -= bound & zeroMask;
+        mRange = (bound & ~zeroMask) | ((mRange - bound) & zeroMask);
+        return value;
+    }
     void normalize()
     {
         while (mRange < MinRange) {
