@@ -1,28 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/outputs.h"
+#include "model/animation/hausdorff.h"
 #include "model/animation/metrics.h"
+#include "model/animation/sted.h"
 #include "model/io/animfile.h"
 
 #include <QJsonArray>
 #include <QJsonValue>
 #include <QLocale>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace cli {
 
 namespace {
+
+/// What is measured in one pass.
+enum class Metric { VertexErrors, Sted, Hausdorff };
+
+const std::map<std::string, Metric> MetricNames{{"kg", Metric::VertexErrors},    {"da", Metric::VertexErrors},
+                                                {"rmse", Metric::VertexErrors},  {"psnr", Metric::VertexErrors},
+                                                {"max", Metric::VertexErrors},   {"sted", Metric::Sted},
+                                                {"hausdorff", Metric::Hausdorff}};
+
+struct Measured
+{
+    model::ComparisonResult errors;
+    std::optional<model::StedResult> sted;
+    std::optional<model::HausdorffResult> hausdorff;
+};
 
 struct Compare
 {
     InputOptions reference;
     std::string test, permutation, csv;
     NormaliseOption normalise;
+    std::vector<Metric> metrics; ///< empty: all
+    double surfaceSamples = model::DefaultSurfaceSamples;
 
     model::Result<void> run(Console &console) const;
     model::Result<std::vector<std::uint32_t>> readPermutation() const;
+    model::Result<Measured> measure(const model::FrameSource &original, const model::FrameSource &tested,
+                                    std::span<const std::uint32_t> order, Console &console) const;
+    bool wants(Metric metric) const { return metrics.empty() || std::ranges::find(metrics, metric) != metrics.end(); }
 };
 
 /// KG errors above this share of the animation's extent mean that the two were not placed alike.
@@ -67,52 +91,126 @@ double frameDecibels(double diagonal, double rmse)
     return 20 * std::log10(diagonal / rmse);
 }
 
-QJsonObject jsonOf(const model::ComparisonResult &result)
+QJsonObject jsonOf(const Measured &measured)
 {
+    const model::ComparisonResult &errors = measured.errors;
     QJsonArray frames;
-    for (std::size_t i = 0; i < result.frames.size(); ++i) {
-        const model::FrameError &error = result.frames[i];
-        frames.append(QJsonObject{{"frame", double(i + 1)},
-                                  {"kg_error_percent", error.kgErrorPercent},
-                                  {"rmse", error.rmse},
-                                  {"psnr_db", decibels(frameDecibels(result.diagonal, error.rmse))},
-                                  {"max_vertex_error", error.maxVertexError},
-                                  {"worst_vertex", double(error.worstVertex)}});
+    for (std::size_t i = 0; i < errors.frames.size(); ++i) {
+        const model::FrameError &error = errors.frames[i];
+        QJsonObject frame{{"frame", double(i + 1)},
+                          {"kg_error_percent", error.kgErrorPercent},
+                          {"da_error", error.daError},
+                          {"rmse", error.rmse},
+                          {"psnr_db", decibels(frameDecibels(errors.diagonal, error.rmse))},
+                          {"max_vertex_error", error.maxVertexError},
+                          {"worst_vertex", double(error.worstVertex)}};
+        if (measured.sted) {
+            frame.insert("sted_spatial", measured.sted->frames[i].spatial);
+            // No step leads to the first frame.
+            frame.insert("sted_temporal", i == 0 ? QJsonValue() : QJsonValue(measured.sted->frames[i].temporal));
+        }
+        if (measured.hausdorff)
+            frame.insert("hausdorff", measured.hausdorff->frames[i].distance());
+        frames.append(frame);
     }
-    return {{"kg_error_percent", result.kgErrorPercent},
-            {"rmse", result.rmse},
-            {"psnr_db", decibels(result.psnrDb)},
-            {"max_vertex_error", result.maxVertexError},
-            {"worst_frame", double(result.worstFrame + 1)},
-            {"worst_vertex", double(result.worstVertex)},
-            {"diagonal", result.diagonal},
-            {"frames", frames}};
+    QJsonObject result{{"kg_error_percent", errors.kgErrorPercent},
+                       {"da_error", errors.daError},
+                       {"rmse", errors.rmse},
+                       {"psnr_db", decibels(errors.psnrDb)},
+                       {"max_vertex_error", errors.maxVertexError},
+                       {"worst_frame", double(errors.worstFrame + 1)},
+                       {"worst_vertex", double(errors.worstVertex)},
+                       {"diagonal", errors.diagonal},
+                       {"frames", frames}};
+    if (const auto &sted = measured.sted) {
+        result.insert("sted", sted->sted);
+        result.insert("sted_spatial", sted->spatial);
+        result.insert("sted_temporal", sted->temporal);
+    }
+    if (const auto &hausdorff = measured.hausdorff) {
+        result.insert("hausdorff", hausdorff->distance);
+        result.insert("hausdorff_from_reference", hausdorff->fromReference);
+        result.insert("hausdorff_from_test", hausdorff->fromTest);
+        result.insert("hausdorff_worst_frame", double(hausdorff->worstFrame + 1));
+    }
+    return result;
 }
 
-QByteArray csvOf(const model::ComparisonResult &result)
+QByteArray csvOf(const Measured &measured)
 {
     const auto number = [](double value) { return QByteArray::number(value, 'g', QLocale::FloatingPointShortest); };
-    QByteArray text = "frame,kg_error_percent,rmse,max_vertex_error,worst_vertex\n";
-    for (std::size_t i = 0; i < result.frames.size(); ++i) {
-        const model::FrameError &error = result.frames[i];
-        text += QByteArray::number(qulonglong(i + 1)) + ',' + number(error.kgErrorPercent) + ',' + number(error.rmse) +
-                ',' + number(error.maxVertexError) + ',' + QByteArray::number(error.worstVertex) + '\n';
+    QByteArrayList header{"frame", "kg_error_percent", "rmse", "max_vertex_error", "worst_vertex", "da_error"};
+    if (measured.sted)
+        header << "sted_spatial"
+               << "sted_temporal";
+    if (measured.hausdorff)
+        header << "hausdorff";
+    QByteArray text = header.join(',') + '\n';
+    for (std::size_t i = 0; i < measured.errors.frames.size(); ++i) {
+        const model::FrameError &error = measured.errors.frames[i];
+        QByteArrayList row{
+            QByteArray::number(qulonglong(i + 1)), number(error.kgErrorPercent),          number(error.rmse),
+            number(error.maxVertexError),          QByteArray::number(error.worstVertex), number(error.daError)};
+        if (measured.sted)
+            row << number(measured.sted->frames[i].spatial)
+                << (i == 0 ? QByteArray() : number(measured.sted->frames[i].temporal));
+        if (measured.hausdorff)
+            row << number(measured.hausdorff->frames[i].distance());
+        text += row.join(',') + '\n';
     }
     return text;
 }
 
-void printTable(Console &console, const model::ComparisonResult &result)
+void printTable(Console &console, const Measured &measured)
 {
-    console.line(QStringLiteral("KG error              %1 %").arg(result.kgErrorPercent, 0, 'g', 6));
-    console.line(QStringLiteral("RMSE                  %1").arg(result.rmse, 0, 'g', 6));
-    console.line(std::isfinite(result.psnrDb)
-                     ? QStringLiteral("PSNR                  %1 dB").arg(result.psnrDb, 0, 'f', 2)
-                     : QStringLiteral("PSNR                  infinite"));
-    console.line(QStringLiteral("largest vertex error  %1 (%2 % of the diagonal; vertex %3 in frame %4)")
-                     .arg(result.maxVertexError, 0, 'g', 6)
-                     .arg(result.diagonal > 0 ? 100 * result.maxVertexError / result.diagonal : 0.0, 0, 'g', 4)
-                     .arg(result.worstVertex)
-                     .arg(result.worstFrame + 1));
+    const model::ComparisonResult &errors = measured.errors;
+    const auto line = [&console](const char *name, const QString &value) {
+        console.line(QString::fromLatin1(name).leftJustified(22) + value);
+    };
+    const auto number = [](double value) { return QString::number(value, 'g', 6); };
+    const auto percent = [&](double length) {
+        return QString::number(errors.diagonal > 0 ? 100 * length / errors.diagonal : 0.0, 'g', 4);
+    };
+    line("KG error", number(errors.kgErrorPercent) + " %");
+    line("DA error", number(errors.daError));
+    if (const auto &sted = measured.sted)
+        line("STED", QStringLiteral("%1 (spatial %2, temporal %3)")
+                         .arg(number(sted->sted), number(sted->spatial), number(sted->temporal)));
+    line("RMSE", number(errors.rmse));
+    line("PSNR",
+         std::isfinite(errors.psnrDb) ? QString::number(errors.psnrDb, 'f', 2) + " dB" : QStringLiteral("infinite"));
+    line("largest vertex error", QStringLiteral("%1 (%2 % of the diagonal; vertex %3 in frame %4)")
+                                     .arg(number(errors.maxVertexError), percent(errors.maxVertexError))
+                                     .arg(errors.worstVertex)
+                                     .arg(errors.worstFrame + 1));
+    if (const auto &hausdorff = measured.hausdorff)
+        line("Hausdorff distance", QStringLiteral("%1 (%2 % of the diagonal; frame %3)")
+                                       .arg(number(hausdorff->distance), percent(hausdorff->distance))
+                                       .arg(hausdorff->worstFrame + 1));
+}
+
+model::Result<Measured> Compare::measure(const model::FrameSource &original, const model::FrameSource &tested,
+                                         std::span<const std::uint32_t> order, Console &console) const
+{
+    Measured measured;
+    auto errors = model::compareAnimations(original, tested, order, console.progress("Comparing"));
+    if (!errors)
+        return model::fail(std::move(errors.error()));
+    measured.errors = std::move(*errors);
+    if (wants(Metric::Sted)) {
+        auto sted = model::spatioTemporalDifference(original, tested, order, console.progress("STED"));
+        if (!sted)
+            return model::fail(std::move(sted.error()));
+        measured.sted = std::move(*sted);
+    }
+    if (wants(Metric::Hausdorff)) {
+        auto hausdorff =
+            model::hausdorffDistance(original, tested, order, surfaceSamples, console.progress("Hausdorff"));
+        if (!hausdorff)
+            return model::fail(std::move(hausdorff.error()));
+        measured.hausdorff = std::move(*hausdorff);
+    }
+    return measured;
 }
 
 model::Result<void> Compare::run(Console &console) const
@@ -134,7 +232,7 @@ model::Result<void> Compare::run(Console &console) const
     const auto tested = testInput.read(console.progress("Reading"));
     if (!tested)
         return model::fail(tested.error());
-    const auto result = model::compareAnimations(**placed, **tested, *order, console.progress("Comparing"));
+    const auto result = measure(**placed, **tested, *order, console);
     if (!result)
         return model::fail(model::Error(result.error())
                                .in(result.error().code == model::ErrorCode::BadPermutation ? permutation : test));
@@ -150,7 +248,7 @@ model::Result<void> Compare::run(Console &console) const
         console.json(jsonOf(*result));
     else
         printTable(console, *result);
-    if (result->kgErrorPercent > SuspiciousKgPercent)
+    if (result->errors.kgErrorPercent > SuspiciousKgPercent)
         console.note(
             QStringLiteral("The two are far apart. If one of them was normalised, compare with the same --normalize; "
                            "if its vertices were reordered, give their --permutation."));
@@ -170,10 +268,23 @@ void addCompare(CLI::App &app, Run &run)
                      "For each vertex of TEST, a line with its index in REFERENCE, as encode wrote it")
         ->type_name("FILE");
     options->normalise.addTo(*command, "Normalise REFERENCE first, as encode did for TEST (default: none)");
+    command
+        ->add_option("--metrics", options->metrics,
+                     "Measure only these, separated by commas: kg, da, rmse, psnr and max (always\n"
+                     "measured), sted, hausdorff (default: all)")
+        ->delimiter(',')
+        ->transform(CLI::CheckedTransformer(MetricNames, CLI::ignore_case).description(""))
+        ->type_name("NAMES");
+    command
+        ->add_option("--surface-samples", options->surfaceSamples,
+                     "Samples per triangle, on average, for the Hausdorff distance (default: 10)")
+        ->check(finiteRange(0, model::MaxSurfaceSamples))
+        ->type_name("N");
     command->add_option("--csv", options->csv, "Also write the errors of each frame")->type_name("FILE");
     command->footer("Frames are counted from 1, vertices from 0.\n"
                     "Examples:\n"
                     "  sandreel-cli compare frames/ walk.anim\n"
+                    "  sandreel-cli compare frames/ walk.anim --metrics kg,sted --csv errors.csv\n"
                     "  sandreel-cli --json compare walk.pc2 decoded.pc2 --base-mesh walk.obj");
     command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/animation/editedframes.h"
+#include "model/animation/hausdorff.h"
 #include "model/animation/metrics.h"
 #include "model/animation/normalisation.h"
 #include "model/animation/sequence.h"
+#include "model/animation/sted.h"
+#include "tests/support/meshes.h"
 
 #include <benchmark/benchmark.h>
 
@@ -61,6 +64,32 @@ void compare(benchmark::State &state)
         benchmark::DoNotOptimize(compareAnimations(*source, *source));
 }
 BENCHMARK(compare)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A sheet of 35k vertices, and the same with every vertex a little off.
+std::pair<tests::SequencePtr, tests::SequencePtr> sheets()
+{
+    const tests::SequencePtr sheet = tests::wave(tests::grid(186, 186), 20);
+    std::vector<Vec3f> positions(sheet->allPositions().begin(), sheet->allPositions().end());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        positions[i] = positions[i] + Vec3f{float(i % 13), float(i % 17), float(i % 19)} * 1e-4f;
+    return {sheet, std::make_shared<Sequence>(sheet->connectivity(), std::move(positions))};
+}
+
+void sted(benchmark::State &state)
+{
+    const auto [source, test] = sheets();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(spatioTemporalDifference(*source, *test));
+}
+BENCHMARK(sted)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void hausdorff(benchmark::State &state)
+{
+    const auto [source, test] = sheets();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(hausdorffDistance(*source, *test, {}, double(state.range(0))));
+}
+BENCHMARK(hausdorff)->Arg(0)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void boxOfAll(benchmark::State &state)
 {

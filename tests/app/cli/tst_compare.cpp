@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/animation/hausdorff.h"
+#include "model/animation/metrics.h"
+#include "model/animation/sted.h"
 #include "tests/app/cli/animationfiles.h"
 #include "tests/app/cli/clirun.h"
 #include "tests/support/meshes.h"
@@ -21,6 +24,10 @@ private slots:
     void equalAnimationsHaveNoError();
     void normalisesTheReference();
     void csvHoldsTheFrames();
+    void everyMetricIsPrinted();
+    void onlyTheMetricsWanted_data();
+    void onlyTheMetricsWanted();
+    void badMetricsAreRefused();
     void differentMeshesAreRefused();
     void badPermutations_data();
     void badPermutations();
@@ -144,19 +151,108 @@ void TestCompare::csvHoldsTheFrames()
     SANDREEL_RUN(run, 0, {"--json", "compare", path("reference"), path("test"), "--csv", path("frames.csv")});
     const QList<QByteArray> lines = tests::readFile(path("frames.csv")).trimmed().split('\n');
     QCOMPARE(lines.size(), 7);
-    QCOMPARE(lines[0], QByteArray("frame,kg_error_percent,rmse,max_vertex_error,worst_vertex"));
+    QCOMPARE(lines[0], QByteArray("frame,kg_error_percent,rmse,max_vertex_error,worst_vertex,da_error,sted_spatial,"
+                                  "sted_temporal,hausdorff"));
     const QJsonArray frames = run.json().value("frames").toArray();
     for (int i = 1; i < 7; ++i) {
         const QList<QByteArray> cells = lines[i].split(',');
-        QCOMPARE(cells.size(), 5);
+        QCOMPARE(cells.size(), 9);
         const QJsonObject frame = frames[i - 1].toObject();
         QCOMPARE(cells[0].toInt(), i);
         QCOMPARE(cells[1].toDouble(), frame.value("kg_error_percent").toDouble());
         QCOMPARE(cells[3].toDouble(), frame.value("max_vertex_error").toDouble());
         QCOMPARE(cells[4].toInt(), frame.value("worst_vertex").toInt());
+        QCOMPARE(cells[5].toDouble(), frame.value("da_error").toDouble());
+        QCOMPARE(cells[6].toDouble(), frame.value("sted_spatial").toDouble());
+        QCOMPARE(cells[7].toDouble(), frame.value("sted_temporal").toDouble());
+        QCOMPARE(cells[7].isEmpty(), i == 1); // no step leads to the first frame
+        QCOMPARE(cells[8].toDouble(), frame.value("hausdorff").toDouble());
     }
     SANDREEL_RUN(full, 4, {"compare", path("reference"), path("test"), "--csv", path("missing/frames.csv")});
     QCOMPARE(full.out, QByteArray());
+}
+
+/// As the model measures the same files.
+void TestCompare::everyMetricIsPrinted()
+{
+    const auto reference = tests::wave(tests::torus(), 6), test = tests::noise(tests::torus(), 6);
+    const model::StedResult sted = *model::spatioTemporalDifference(*reference, *test);
+    const model::HausdorffResult hausdorff = *model::hausdorffDistance(*reference, *test);
+    SANDREEL_RUN(run, 0, {"--json", "compare", path("reference"), path("test")});
+    const QJsonObject json = run.json();
+    const auto near = [](const QJsonObject &object, const char *key, double expected) {
+        return std::abs(object.value(QLatin1String(key)).toDouble(-1) - expected) <= 1e-12 * expected;
+    };
+    QVERIFY(near(json, "da_error", model::compareAnimations(*reference, *test)->daError));
+    QVERIFY(near(json, "sted", sted.sted));
+    QVERIFY(near(json, "sted_spatial", sted.spatial));
+    QVERIFY(near(json, "sted_temporal", sted.temporal));
+    QVERIFY(near(json, "hausdorff", hausdorff.distance));
+    QVERIFY(near(json, "hausdorff_from_reference", hausdorff.fromReference));
+    QVERIFY(near(json, "hausdorff_from_test", hausdorff.fromTest));
+    QCOMPARE(json.value("hausdorff_worst_frame").toInt(), int(hausdorff.worstFrame) + 1);
+    const QJsonArray frames = json.value("frames").toArray();
+    for (int i = 0; i < 6; ++i) {
+        const QJsonObject frame = frames[i].toObject();
+        const auto f = std::size_t(i);
+        QVERIFY(near(frame, "sted_spatial", sted.frames[f].spatial));
+        QVERIFY(near(frame, "hausdorff", hausdorff.frames[f].distance()));
+        QVERIFY(frame.contains("sted_temporal"));
+        if (i == 0)
+            QVERIFY(frame.value("sted_temporal").isNull());
+        else
+            QVERIFY(near(frame, "sted_temporal", sted.frames[f].temporal));
+    }
+    SANDREEL_RUN(text, 0, {"compare", path("reference"), path("test")});
+    for (const char *name : {"KG error", "DA error", "STED", "RMSE", "PSNR", "largest vertex error", "Hausdorff"})
+        QVERIFY2(text.out.contains(name), name);
+    SANDREEL_RUN(
+        dense, 0,
+        {"--json", "compare", path("reference"), path("test"), "--surface-samples", "0", "--metrics", "hausdorff"});
+    QVERIFY(near(dense.json(), "hausdorff", model::hausdorffDistance(*reference, *test, {}, 0)->distance));
+}
+
+void TestCompare::onlyTheMetricsWanted_data()
+{
+    QTest::addColumn<QString>("metrics");
+    QTest::addColumn<bool>("sted");
+    QTest::addColumn<bool>("hausdorff");
+    QTest::newRow("kg") << "kg" << false << false;
+    QTest::newRow("sted") << "sted" << true << false;
+    QTest::newRow("hausdorff") << "hausdorff" << false << true;
+    QTest::newRow("several, in capitals") << "KG,STED,Hausdorff" << true << true;
+}
+
+void TestCompare::onlyTheMetricsWanted()
+{
+    QFETCH(const QString, metrics);
+    QFETCH(const bool, sted);
+    QFETCH(const bool, hausdorff);
+    SANDREEL_RUN(run, 0,
+                 {"--json", "compare", path("reference"), path("test"), "--metrics", metrics, "--csv", path("m.csv")});
+    const QJsonObject json = run.json();
+    const QByteArray header = tests::readFile(path("m.csv")).split('\n').first();
+    QVERIFY(json.contains("kg_error_percent") && header.contains("kg_error_percent"));
+    for (const char *key : {"sted", "sted_spatial", "sted_temporal"})
+        QCOMPARE(json.contains(QLatin1String(key)), sted);
+    QCOMPARE(json.contains("hausdorff"), hausdorff);
+    QCOMPARE(header.contains("sted_spatial"), sted);
+    QCOMPARE(header.contains("hausdorff"), hausdorff);
+    const QJsonObject frame = json.value("frames").toArray().at(2).toObject();
+    QCOMPARE(frame.contains("sted_temporal"), sted);
+    QCOMPARE(frame.contains("hausdorff"), hausdorff);
+    SANDREEL_RUN(text, 0, {"compare", path("reference"), path("test"), "--metrics", metrics});
+    QCOMPARE(text.out.contains("STED"), sted);
+    QCOMPARE(text.out.contains("Hausdorff"), hausdorff);
+}
+
+void TestCompare::badMetricsAreRefused()
+{
+    SANDREEL_RUN(name, 2, {"compare", path("reference"), path("test"), "--metrics", "kg,nonsense"});
+    QVERIFY2(name.err.contains("nonsense"), name.err.constData());
+    for (const char *samples : {"-1", "nan", "1e9", "many"}) {
+        SANDREEL_RUN(number, 2, {"compare", path("reference"), path("test"), "--surface-samples", samples});
+    }
 }
 
 void TestCompare::differentMeshesAreRefused()

@@ -1,44 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/animation/metrics.h"
 #include "model/base/parallel.h"
+#include "tests/model/animation/permuted.h"
 #include "tests/support/meshes.h"
 #include "tests/support/testmain.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 #include <random>
 
 using namespace model;
+using tests::isNear;
+using tests::Permutation;
+using tests::permuted;
+using tests::shuffled;
 
 namespace {
-
-using Permutation = std::vector<std::uint32_t>;
 
 Sequence points(std::uint32_t vertexCount, std::vector<Vec3f> positions)
 {
     return Sequence({vertexCount, {}}, std::move(positions));
-}
-
-Permutation shuffled(std::uint32_t count, std::uint32_t seed)
-{
-    Permutation permutation(count);
-    std::iota(permutation.begin(), permutation.end(), 0u);
-    std::mt19937 random(seed);
-    for (std::uint32_t i = count; i > 1; --i)
-        std::swap(permutation[i - 1], permutation[random() % i]);
-    return permutation;
-}
-
-/// Vertex i of the result is vertex permutation[i] of the sequence.
-std::shared_ptr<Sequence> permuted(const Sequence &sequence, const Permutation &permutation)
-{
-    std::vector<Vec3f> positions;
-    for (std::uint32_t frame = 0; frame < sequence.frameCount(); ++frame)
-        for (const std::uint32_t vertex : permutation)
-            positions.push_back(sequence.frameView(frame)[vertex]);
-    return std::make_shared<Sequence>(Connectivity{sequence.vertexCount(), {}}, std::move(positions));
 }
 
 /// The definitions of metrics.h written down plainly: matrices, one formula after the other, long double.
@@ -51,6 +33,7 @@ ComparisonResult slowReference(const Sequence &v, const Sequence &w)
     };
     ComparisonResult result;
     long double error = 0, spread = 0, largest = -1;
+    std::vector<long double> lengths(frames);
     long double low[3], high[3];
     for (int axis = 0; axis < 3; ++axis)
         low[axis] = high[axis] = at(v, 0, 0, axis);
@@ -72,6 +55,7 @@ ComparisonResult slowReference(const Sequence &v, const Sequence &w)
             for (int axis = 0; axis < 3; ++axis)
                 squared += std::pow(at(v, f, i, axis) - at(w, f, i, axis), 2.0L);
             frameError += squared;
+            lengths[f] += std::sqrt(squared);
             if (squared > frameLargest) {
                 frameLargest = squared;
                 own.worstVertex = i;
@@ -93,16 +77,16 @@ ComparisonResult slowReference(const Sequence &v, const Sequence &w)
     for (int axis = 0; axis < 3; ++axis)
         diagonal += std::pow(high[axis] - low[axis], 2.0L);
     result.diagonal = double(std::sqrt(diagonal));
+    for (std::uint32_t f = 0; f < frames; ++f) {
+        const long double own = lengths[f] / vertices / (diagonal > 0 ? std::sqrt(diagonal) : 1);
+        result.frames[f].daError = double(own);
+        result.daError += double(own / frames);
+    }
     result.kgErrorPercent = double(100 * std::sqrt(error) / (spread > 0 ? std::sqrt(spread) : 1));
     result.rmse = double(std::sqrt(error / vertices / frames));
     result.maxVertexError = double(std::sqrt(largest));
     result.psnrDb = double(20 * std::log10(std::sqrt(diagonal) / std::sqrt(error / vertices / frames)));
     return result;
-}
-
-bool isNear(double a, double b)
-{
-    return std::abs(a - b) <= 1e-11 * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
 } // namespace
@@ -127,6 +111,9 @@ private slots:
             QVERIFY(result.has_value());
             QCOMPARE(result->kgErrorPercent, 100 * std::sqrt(26.0) / std::sqrt(20.0));
             QCOMPARE(result->rmse, std::sqrt(26.0 / 4));
+            QCOMPARE(result->daError, (1.0 + 5.0) / 4 / std::sqrt(40.0)); // lengths of the errors over the diagonal
+            QCOMPARE(result->frames[0].daError, 0.5 / std::sqrt(40.0));
+            QCOMPARE(result->frames[1].daError, 2.5 / std::sqrt(40.0));
             QCOMPARE(result->diagonal, std::sqrt(40.0)); // box (0,0,0)..(2,6,0)
             QCOMPARE(result->psnrDb, 10 * std::log10(40.0 / 6.5));
             QCOMPARE(result->maxVertexError, 5.0);
@@ -167,6 +154,7 @@ private slots:
             QVERIFY(result.has_value());
             QVERIFY(isNear(result->kgErrorPercent, expected.kgErrorPercent));
             QVERIFY(isNear(result->rmse, expected.rmse));
+            QVERIFY(isNear(result->daError, expected.daError));
             QVERIFY(isNear(result->maxVertexError, expected.maxVertexError));
             QVERIFY(isNear(result->diagonal, expected.diagonal));
             QVERIFY(result->psnrDb == expected.psnrDb || isNear(result->psnrDb, expected.psnrDb));
@@ -176,6 +164,7 @@ private slots:
             for (std::size_t f = 0; f < expected.frames.size(); ++f) {
                 QVERIFY(isNear(result->frames[f].kgErrorPercent, expected.frames[f].kgErrorPercent));
                 QVERIFY(isNear(result->frames[f].rmse, expected.frames[f].rmse));
+                QVERIFY(isNear(result->frames[f].daError, expected.frames[f].daError));
                 QVERIFY(isNear(result->frames[f].maxVertexError, expected.frames[f].maxVertexError));
                 QCOMPARE(result->frames[f].worstVertex, expected.frames[f].worstVertex);
             }
@@ -214,6 +203,7 @@ private slots:
         QVERIFY(result.has_value());
         QCOMPARE(result->kgErrorPercent, 500.0); // 100 * sqrt(9 + 16)
         QCOMPARE(result->frames[0].kgErrorPercent, 300.0);
+        QCOMPARE(result->daError, 3.5 / 4);
         QCOMPARE(result->frames[1].kgErrorPercent, 400.0);
         QCOMPARE(result->diagonal, 4.0);
 
@@ -224,6 +214,7 @@ private slots:
 
         const auto point = compareAnimations(points(1, {{1, 1, 1}}), points(1, {{1, 1, 2}}));
         QVERIFY(std::isinf(point->psnrDb) && point->psnrDb < 0);
+        QCOMPARE(point->daError, 1.0);
     }
 
     /// Far from the origin sums of squares in float, or a one-pass variance, would lose everything.
