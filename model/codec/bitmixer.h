@@ -26,9 +26,10 @@ inline constexpr std::int32_t LeastProbability = 24;
 /// The probability, of 16 bits, of a value in the mixer's scale.
 constexpr std::uint32_t squash(std::int32_t stretched)
 {
-    const std::size_t at = std::size_t(stretched + 2048) / 128;
-    const std::int32_t part = (stretched + 2048) % 128;
-    const std::int32_t p = SquashTable[at] + (SquashTable[at + 1] - SquashTable[at]) * part / 128;
+    const std::uint32_t shifted = std::uint32_t(stretched + 2048);
+    const std::size_t at = shifted >> 7;
+    const std::int32_t part = std::int32_t(shifted & 127);
+    const std::int32_t p = SquashTable[at] + ((SquashTable[at + 1] - SquashTable[at]) * part >> 7);
     return std::uint32_t(p < LeastProbability           ? LeastProbability
                          : p > 65536 - LeastProbability ? 65536 - LeastProbability
                                                         : p);
@@ -53,19 +54,20 @@ public:
     std::uint32_t probabilityOfOne() const { return mProbability; } ///< 16 bits
     void update(std::uint32_t bit, unsigned limit)
     {
-        const std::int32_t target = bit ? 65535 : 0;
-        mProbability = std::uint16_t(mProbability + std::int64_t(target - mProbability) * Shares[mCount] / 65536);
+        const std::int32_t target = std::int32_t(bit << 16) - std::int32_t(bit);
+        mProbability = std::uint16_t(mProbability + ((target - mProbability) * Shares[mCount] >> ShareBits));
         mCount = std::uint16_t(mCount + (mCount < limit));
     }
 
     static constexpr unsigned MaxLimit = 1023;
 
 private:
-    /// 65536 / (count + 1.5): the share of a decision after `count` others.
+    static constexpr unsigned ShareBits = 15;
+    /// 2^ShareBits / (count + 1.5): the share of a decision after `count` others.
     static constexpr std::array<std::int32_t, MaxLimit + 1> Shares = [] {
         std::array<std::int32_t, MaxLimit + 1> shares{};
         for (std::size_t i = 0; i < shares.size(); ++i)
-            shares[i] = std::int32_t(131072 / (2 * i + 3));
+            shares[i] = std::int32_t((2u << ShareBits) / (2 * i + 3));
         return shares;
     }();
     std::uint16_t mProbability = 0x8000;
@@ -92,7 +94,7 @@ public:
             mStretched[i] = StretchTable[models[i]->probabilityOfOne() >> 4];
             sum += std::int64_t(mStretched[i]) * mWeights[set][i];
         }
-        const std::int64_t mixed = sum / (1 << WeightBits);
+        const std::int64_t mixed = sum >> WeightBits;
         mProbability = squash(std::int32_t(mixed > MaxStretch    ? MaxStretch
                                            : mixed < -MaxStretch ? -MaxStretch
                                                                  : mixed));
@@ -101,15 +103,15 @@ public:
     /// Learns from the decision that mix() was asked about last.
     void update(std::uint32_t bit)
     {
-        const std::int64_t error = (bit ? 65535 : 0) - std::int64_t(mProbability);
+        const std::int64_t error = std::int64_t(bit << 16) - std::int64_t(mProbability);
         for (std::size_t i = 0; i < Inputs; ++i)
-            mWeights[mSet][i] += std::int32_t(mStretched[i] * error * Rate / (1 << RateBits));
+            mWeights[mSet][i] += std::int32_t(mStretched[i] * error * Rate >> RateBits);
     }
 
 private:
     static constexpr unsigned WeightBits = 16;
     static constexpr std::int32_t FirstWeight = std::int32_t((1 << WeightBits) * 14 / (10 * Inputs));
-    static constexpr std::int64_t Rate = 6;
+    static constexpr std::int64_t Rate = 12;
     static constexpr unsigned RateBits = 18;
 
     std::array<std::array<std::int32_t, Inputs>, Sets> mWeights;

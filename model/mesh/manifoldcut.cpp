@@ -3,6 +3,8 @@
 
 #include "model/mesh/edgesides.h"
 
+#include <atomic>
+
 namespace model {
 
 namespace {
@@ -12,22 +14,21 @@ enum class Side : std::uint8_t { Unknown, Kept, Flipped };
 /// Links the sides of each edge in pairs. \returns whether a pair has the same direction: something must be flipped
 bool linkSides(const Connectivity &connectivity, std::span<const std::uint32_t> vertices, std::vector<Corner> &links)
 {
-    bool twisted = false;
+    std::atomic<bool> twisted = false;
     const auto link = [&](Corner a, Corner b) {
         links[a] = b;
         links[b] = a;
     };
-    std::vector<Corner> rising, falling;
     forEachEdge(connectivity, [&](std::span<const Corner> sides) {
         const auto isRising = [&](Corner c) {
             return vertices[CornerTable::next(c)] < vertices[CornerTable::previous(c)];
         };
         if (sides.size() == 2) {
-            twisted = twisted || isRising(sides[0]) == isRising(sides[1]);
+            if (isRising(sides[0]) == isRising(sides[1]))
+                twisted = true;
             link(sides[0], sides[1]);
         } else if (sides.size() > 2) {
-            rising.clear();
-            falling.clear();
+            std::vector<Corner> rising, falling;
             for (const Corner c : sides)
                 (isRising(c) ? rising : falling).push_back(c);
             for (std::size_t i = 0; i < std::min(rising.size(), falling.size()); ++i)
@@ -89,38 +90,79 @@ std::vector<bool> flip(const std::vector<Side> &sides, std::vector<std::uint32_t
     return flipped;
 }
 
+/// The corners of one fan, from any of them on. \returns their number
+template <class Take>
+std::uint32_t walkFan(const std::vector<Corner> &links, Corner first, Take &&take)
+{
+    std::uint32_t count = 1;
+    take(first);
+    Corner c = first;
+    for (;;) { // counter-clockwise, round or to a border
+        const Corner across = links[CornerTable::next(c)];
+        if (across == NoCorner)
+            break;
+        c = CornerTable::next(across);
+        if (c == first)
+            return count;
+        ++count;
+        take(c);
+    }
+    for (c = first;;) { // and from the first one clockwise
+        const Corner across = links[CornerTable::previous(c)];
+        if (across == NoCorner)
+            return count;
+        c = CornerTable::previous(across);
+        ++count;
+        take(c);
+    }
+}
+
+/// The vertices with more than one fan.
+std::vector<bool> verticesOfManyFans(std::uint32_t vertexCount, const std::vector<std::uint32_t> &vertices,
+                                     const std::vector<Corner> &links)
+{
+    std::vector<Corner> anyCorner(vertexCount, NoCorner);
+    std::vector<std::uint32_t> cornerCount(vertexCount);
+    for (Corner c = 0; c < vertices.size(); ++c) {
+        anyCorner[vertices[c]] = c;
+        ++cornerCount[vertices[c]];
+    }
+    constexpr std::size_t Grain = 1 << 14; // vertices
+    std::vector<bool> result(vertexCount);
+    parallelRanges(vertexCount, Grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t v = first; v < last; ++v)
+            if (anyCorner[v] != NoCorner)
+                cornerCount[v] -= walkFan(links, anyCorner[v], [](Corner) {});
+    });
+    for (std::size_t v = 0; v < vertexCount; ++v)
+        result[v] = cornerCount[v] > 0;
+    return result;
+}
+
 /// Gives each fan of a vertex but the first a copy of it. \returns what each copy is a copy of
 std::vector<std::uint32_t> copyVertices(std::uint32_t vertexCount, std::vector<std::uint32_t> &vertices,
                                         const std::vector<Corner> &links)
 {
+    std::vector<bool> hasMany = verticesOfManyFans(vertexCount, vertices, links);
     std::vector<std::uint32_t> copied;
-    std::vector<bool> taken(vertexCount);
+    if (std::find(hasMany.begin(), hasMany.end(), true) == hasMany.end())
+        return copied;
+    std::vector<bool> isFirst = hasMany;
     std::vector<bool> seen(vertices.size());
-    for (Corner first = 0; first < vertices.size(); ++first) {
-        if (seen[first])
+    for (Corner c = 0; c < vertices.size(); ++c) {
+        const std::uint32_t vertex = vertices[c];
+        if (seen[c] || !hasMany[vertex])
             continue;
-        const std::uint32_t vertex = vertices[first];
         std::uint32_t name = vertex;
-        if (taken[vertex]) {
+        if (!isFirst[vertex]) {
             name = vertexCount + std::uint32_t(copied.size());
             copied.push_back(vertex);
         }
-        taken[vertex] = true;
-        const auto take = [&](Corner c) {
-            seen[c] = true;
-            vertices[c] = name;
-        };
-        take(first);
-        Corner c = links[CornerTable::next(first)];
-        while (c != NoCorner && !seen[CornerTable::next(c)]) {
-            take(CornerTable::next(c));
-            c = links[CornerTable::next(CornerTable::next(c))];
-        }
-        c = links[CornerTable::previous(first)];
-        while (c != NoCorner && !seen[CornerTable::previous(c)]) {
-            take(CornerTable::previous(c));
-            c = links[CornerTable::previous(CornerTable::previous(c))];
-        }
+        isFirst[vertex] = false;
+        walkFan(links, c, [&](Corner other) {
+            seen[other] = true;
+            vertices[other] = name;
+        });
     }
     return copied;
 }

@@ -35,14 +35,16 @@ public:
         , mMaxEdges(maxEdges)
         , mStepsLeft(FirstSteps + StepsPerTriangle * std::int64_t(triangleCount))
     {
-        mVertices.reserve(3 * std::size_t(mTriangleCount));
-        mOpposites.reserve(3 * std::size_t(mTriangleCount));
+        mVertices.resize(3 * std::size_t(mTriangleCount));
+        mOpposites.resize(3 * std::size_t(mTriangleCount), NoCorner);
     }
 
     /// \returns false if the stream is corrupt or the work was cancelled
     bool run(const Progress &progress)
     {
         mHolesLeft = std::uint64_t(codeCount(mHoleCountModel, mSource.holeCount()));
+        if (mHolesLeft > mTriangleCount * std::uint64_t(3) / 2) // each has two edges at least
+            return false;
         mHasFlips = mCoder.bit(mHasFlipsModel, mSource.hasFlips());
         while (doneCount() < mTriangleCount) {
             if (!component(progress))
@@ -68,7 +70,7 @@ private:
     static constexpr std::int64_t FirstSteps = 65536;
     static constexpr std::int64_t StepsPerTriangle = 16;
 
-    std::uint32_t doneCount() const { return std::uint32_t(mVertices.size() / 3); }
+    std::uint32_t doneCount() const { return mDone; }
 
     std::int64_t codeCount(IntegerModels<5> &models, std::int64_t value)
     {
@@ -128,9 +130,10 @@ private:
 
     Corner newTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, Corner behind)
     {
-        const Corner corner = Corner(mVertices.size());
-        mVertices.insert(mVertices.end(), {a, b, c});
-        mOpposites.insert(mOpposites.end(), 3, NoCorner);
+        const Corner corner = 3 * mDone++;
+        mVertices[corner] = a;
+        mVertices[corner + 1] = b;
+        mVertices[corner + 2] = c;
         glue(corner, behind);
         count(a);
         count(b);
@@ -174,6 +177,13 @@ private:
         }
         join(last, first);
         return first;
+    }
+
+    /// That a new vertex lies on a hole, of 65536: holes left by vertices left, which are half as many as triangles.
+    std::uint32_t touchProbability() const
+    {
+        const std::uint64_t left = std::uint64_t(mTriangleCount - doneCount()) + 1;
+        return std::uint32_t(std::clamp<std::uint64_t>((mHolesLeft << 17) / left, 24, 1u << 15));
     }
 
     bool mayOpen(std::uint64_t more)
@@ -238,6 +248,7 @@ private:
         view.left = mDegrees[g.vertex];
         view.right = mDegrees[next.vertex];
         view.after = mDegrees[mEdges[next.next].vertex];
+        view.beyond = mDegrees[end(next.next)];
         view.before = mDegrees[mEdges[g.previous].vertex];
         view.behind = g.corner == NoCorner ? 0 : mDegrees[mVertices[g.corner]];
         view.loop = g.next == g.previous ? 2 : next.next == g.previous ? 3 : 4;
@@ -261,7 +272,7 @@ private:
             mSource.visitTip();
             const std::uint32_t leftEdge = add(vertex, left, right, gate);
             join(before, leftEdge);
-            if (mHolesLeft > 0 && mCoder.bit(mTouchesHoleModel, mSource.touchesHole())) {
+            if (mHolesLeft > 0 && mCoder.decision(touchProbability(), mSource.touchesHole())) {
                 const std::uint32_t hole = newHole(vertex, left);
                 if (hole == NoEdge)
                     return false;
@@ -403,6 +414,7 @@ private:
     std::vector<LoopEdge> mEdges;
     std::vector<Waiting> mStack;
     std::uint32_t mFreeEdge = NoEdge;
+    std::uint32_t mDone = 0; ///< triangles
     std::uint64_t mOpenCount = 0;
     std::uint64_t mHolesLeft = 0;
     bool mHasFlips = false;
@@ -410,7 +422,7 @@ private:
 
     SymbolModel mSymbols;
     IntegerModels<5> mHoleCountModel, mHoleLengthModel, mStepModel;
-    AdaptiveBit mHasFlipsModel, mStartModel, mTouchesHoleModel;
+    AdaptiveBit mHasFlipsModel, mStartModel;
     std::array<AdaptiveBit, 3> mFlipModels;
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 namespace model::codec {
@@ -14,16 +15,18 @@ namespace model::codec {
 /// (S), at the right one (R), the left one (L) or both (E).
 enum class Clers : std::uint8_t { C, S, R, L, E };
 
-/// What both sides know when a symbol is coded.
+/// What both sides know when a symbol is coded, apart from the symbols before.
 struct GateView
 {
-    // Triangles so far at the vertices along the loop: ... before, left, right, after ...; gate between left and right.
-    std::uint32_t before = 0, left = 0, right = 0, after = 0;
-    std::uint32_t behind = 0; ///< at the vertex behind the gate
-    std::uint32_t loop = 0;   ///< edges of the loop: 2, 3, or 4 for more
+    // How many triangles there are so far at the vertices along the loop: before, left, right, after, beyond; the gate
+    // goes from left to right. And at the vertex behind the gate, 0 if there is none.
+    std::uint32_t before = 0, left = 0, right = 0, after = 0, beyond = 0, behind = 0;
+    std::uint32_t loop = 0; ///< edges of the loop: 2, 3, or 4 for more
 };
 
-/// The contexts of the symbols and their coding; the same for both directions.
+/// The contexts of the symbols and their coding, the same for both directions. FORMAT.md 5.6.4.
+/// The pivot of the walk is the right vertex: what decides between C and R is whether it has all its triangles. So each
+/// context holds the number it has; the README says what the others gave.
 class SymbolModel
 {
 public:
@@ -32,53 +35,85 @@ public:
     {
         const Clers symbol = decide(coder, gate, wanted);
         mHistory = (mHistory * 5 + std::uint32_t(symbol)) % HistoryStates;
+        if (symbol == Clers::R) {
+            mClosedBefore = mClosed;
+            mClosed = capped(gate.right + 1);
+        }
         return symbol;
     }
 
 private:
-    static constexpr std::uint32_t HistoryStates = 5 * 5 * 5 * 5;
+    enum Question : std::uint32_t { IsC, IsRightGlued, IsLeftGlued, IsL };
+    static constexpr std::uint32_t Questions = 4;
+    static constexpr std::size_t Inputs = 7;
+    static constexpr unsigned TableBits = 16;
+    static constexpr std::uint32_t HistoryStates = 5 * 5 * 5 * 5 * 5 * 5;
+    static constexpr std::uint32_t ShortHistory = 5 * 5 * 5;
+    /// Decisions after which a context forgets the older ones; 100 and 1000 are within 0.3 %.
+    static constexpr unsigned Memory = 255;
+
+    static std::uint32_t capped(std::uint32_t degree) { return std::min(degree, 15u); }
 
     template <class Coder>
     Clers decide(Coder &coder, const GateView &gate, Clers wanted)
     {
-        if (isYes(coder, gate, 0, wanted == Clers::C))
+        const Contexts contexts = contextsOf(gate);
+        if (isTrue(coder, IsC, contexts, gate.loop, wanted == Clers::C))
             return Clers::C;
         if (gate.loop < 3)
-            return Clers::S; // an edge glued to the other one would leave a triangle with a repeated vertex
-        if (isYes(coder, gate, 1, wanted == Clers::R || wanted == Clers::E))
-            return gate.loop == 3 && isYes(coder, gate, 2, wanted == Clers::E) ? Clers::E : Clers::R;
-        return isYes(coder, gate, 3, wanted == Clers::L) ? Clers::L : Clers::S;
+            return Clers::S; // glued to the other edge, the triangle would have a vertex twice
+        if (!isTrue(coder, IsRightGlued, contexts, gate.loop, wanted == Clers::R || wanted == Clers::E))
+            return isTrue(coder, IsL, contexts, gate.loop, wanted == Clers::L) ? Clers::L : Clers::S;
+        if (gate.loop > 3)
+            return Clers::R;
+        return isTrue(coder, IsLeftGlued, contexts, gate.loop, wanted == Clers::E) ? Clers::E : Clers::R;
     }
 
-    static constexpr std::size_t Inputs = 5;
-    static constexpr std::size_t Size = 4 * 8192;
+    using Contexts = std::array<std::uint32_t, Inputs>;
+
+    static std::uint32_t mixed(std::initializer_list<std::uint32_t> values)
+    {
+        std::uint32_t hash = 0;
+        for (const std::uint32_t value : values)
+            hash = (hash + value + 1) * 0x9e3779b1u;
+        return hash;
+    }
+
+    Contexts contextsOf(const GateView &gate) const
+    {
+        const std::uint32_t right = std::min(gate.right, 20u);
+        const std::uint32_t left = capped(gate.left), after = capped(gate.after), before = capped(gate.before);
+        const std::uint32_t beyond = capped(gate.beyond), behind = capped(gate.behind);
+        return {
+            mixed({right, left}),
+            mixed({right, after, before}),
+            mixed({right, mClosed, mClosedBefore}),
+            mixed({right, after, beyond, left}),
+            mixed({right, left, after, before, behind}),
+            mixed({right, mHistory, after}),
+            mixed({right, mHistory % ShortHistory}),
+        };
+    }
 
     template <class Coder>
-    bool isYes(Coder &coder, const GateView &g, unsigned question, bool wanted)
+    bool isTrue(Coder &coder, Question question, const Contexts &contexts, std::uint32_t loop, bool wanted)
     {
-        const auto cap = [](std::uint32_t value, std::uint32_t most) { return std::min(value, most); };
-        const std::uint32_t contexts[Inputs] = {
-            cap(g.right, 15) * 8 + cap(g.left, 7),
-            cap(g.right, 11) * 128 + cap(g.after, 11) * 8 + cap(g.before, 7),
-            cap(g.right, 11) * 625 + mHistory,
-            cap(g.right, 11) * 125 + mHistory % 125,
-            cap(g.right, 11) * 144 + cap(g.left, 11) * 12 + cap(g.behind, 11),
-        };
-        std::array<CountedBit *, Inputs> bits;
-        for (std::size_t i = 0; i < Inputs; ++i)
-            bits[i] = &mBits[i * Size + question * 8192 + contexts[i]];
-        const std::size_t set = question * 3 + (g.loop == 4 ? 2 : g.loop == 3 ? 1 : 0);
-        const std::uint32_t p = mMixer.mix(bits, set);
-        const std::uint32_t bit = coder.decision(p, wanted);
+        std::array<CountedBit *, Inputs> models;
+        for (std::size_t i = 0; i < Inputs; ++i) {
+            const std::uint32_t place = (contexts[i] + question) * 0x9e3779b1u >> (32 - TableBits);
+            models[i] = &mModels[(i << TableBits) + place];
+        }
+        const std::uint32_t bit = coder.decision(mMixer.mix(models, question * 3 + (loop - 2)), wanted);
         mMixer.update(bit);
-        for (CountedBit *b : bits)
-            b->update(bit, 255);
-        return bit;
+        for (CountedBit *model : models)
+            model->update(bit, Memory);
+        return bit != 0;
     }
 
-    std::vector<CountedBit> mBits = std::vector<CountedBit>(Inputs * Size);
-    BitMixer<Inputs, 12> mMixer;
+    std::vector<CountedBit> mModels = std::vector<CountedBit>(Inputs << TableBits);
+    BitMixer<Inputs, Questions * 3> mMixer;
     std::uint32_t mHistory = 0;
+    std::uint32_t mClosed = 0, mClosedBefore = 0; ///< triangles of the two vertices that R completed last
 };
 
 } // namespace model::codec
