@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/codec/connectivity/connectivitystage.h"
 #include "model/io/animationreader.h"
+#include "model/mesh/manifoldcut.h"
 #include "tests/model/io/iotest.h"
 #include "tests/support/realdata.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/testmain.h"
 
 #include <QDir>
@@ -54,15 +57,28 @@ private slots:
         QTest::addColumn<QString>("file");
         QTest::addColumn<int>("vertices");
         QTest::addColumn<int>("triangles");
+        QTest::addColumn<bool>("manifold");
+        QTest::addColumn<int>("components");
+        QTest::addColumn<int>("loops");
+        QTest::addColumn<int>("genus");
         const QStringList lines = QString::fromUtf8(tests::contents(tests::dataFolder() + "/meshes/expected.csv"))
                                       .split('\n', Qt::SkipEmptyParts);
         const QStringList names = csvFields(lines.at(0));
         for (qsizetype i = 1; i < lines.size(); ++i) {
             const QStringList fields = csvFields(lines[i]);
             const QString file = fields.at(names.indexOf("file"));
-            QTest::newRow(qPrintable(file)) << file << fields.at(names.indexOf("V")).toInt()
-                                            << triangleCount(fields.at(names.indexOf("polygon_sizes")));
+            QTest::newRow(qPrintable(file))
+                << file << fields.at(names.indexOf("V")).toInt()
+                << triangleCount(fields.at(names.indexOf("polygon_sizes"))) << isCleanManifold(fields, names)
+                << fields.at(names.indexOf("components_edge")).toInt()
+                << fields.at(names.indexOf("boundary_loops")).toInt()
+                << int(fields.at(names.indexOf("genus_total")).toDouble());
         }
+    }
+    static bool isCleanManifold(const QStringList &fields, const QStringList &names)
+    {
+        return fields.at(names.indexOf("manifold")) == "True" && fields.at(names.indexOf("orientable")) == "True" &&
+               fields.at(names.indexOf("inconsistent_edges")).toInt() == 0;
     }
     void meshes()
     {
@@ -83,6 +99,37 @@ private slots:
         QCOMPARE(int(mesh->positions.size()), vertices);
         QCOMPARE(int(mesh->connectivity.vertexCount), vertices);
         QCOMPARE(int(mesh->connectivity.triangles.size()), triangles);
+        checkTopology(mesh->connectivity);
+        checkCoding(mesh->connectivity);
+    }
+    static void checkTopology(const Connectivity &mesh)
+    {
+        QFETCH(bool, manifold);
+        QFETCH(int, components);
+        QFETCH(int, loops);
+        QFETCH(int, genus);
+        if (!manifold)
+            return;
+        const ManifoldCut cut = cutIntoManifold(mesh);
+        QCOMPARE(cut.copied.size(), std::size_t(0));
+        QVERIFY(cut.flipped.empty());
+        const TopologyCounts counts = topologyOf(cut.corners);
+        QCOMPARE(int(counts.components), components);
+        QCOMPARE(int(counts.borders), loops);
+        QCOMPARE(int(counts.genus()), genus);
+    }
+    static void checkCoding(const Connectivity &mesh)
+    {
+        const auto encoded = codec::encodeConnectivity(mesh, Progress());
+        QVERIFY(encoded.has_value());
+        const codec::Chunk chunk{"CLRS", encoded->bytes, 0, encoded->bytes.size(), 0};
+        const auto decoded = codec::decodeConnectivity(chunk, mesh.vertexCount, std::uint32_t(mesh.triangles.size()),
+                                                       std::uint64_t(1) << 30, Progress());
+        QVERIFY(decoded.has_value());
+        QVERIFY(tests::canonical(tests::renamed(decoded->connectivity.triangles, encoded->permutation)) ==
+                tests::canonical(mesh.triangles));
+        // At most 2 bits a triangle and 30 bytes to learn on; one bit more where triangles are wound at random.
+        QVERIFY(8.0 * double(encoded->bytes.size()) < 2.1 * double(mesh.triangles.size()) + 240);
     }
 
     void sequences_data()
