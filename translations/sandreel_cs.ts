@@ -858,6 +858,14 @@
             <numerusform>Oříznout na %n snímků</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Set Step to %1</source>
+        <translation>Nastavit krok na %1</translation>
+    </message>
+    <message>
+        <source>Set Basis Step to %1</source>
+        <translation>Nastavit krok báze na %1</translation>
+    </message>
 </context>
 <context>
     <name>ViewActions</name>
@@ -1353,8 +1361,24 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
         <translation>PCA</translation>
     </message>
     <message>
-        <source>%1, basis %2, resolution %3</source>
-        <translation>%1, báze %2, rozlišení %3</translation>
+        <source>Direct</source>
+        <translation>Direct</translation>
+    </message>
+    <message>
+        <source>CoDDyaC</source>
+        <translation>CoDDyaC</translation>
+    </message>
+    <message>
+        <source>Reel</source>
+        <translation>Reel</translation>
+    </message>
+    <message>
+        <source>basis %1</source>
+        <translation>báze %1</translation>
+    </message>
+    <message>
+        <source>resolution %1</source>
+        <translation>rozlišení %1</translation>
     </message>
 </context>
 <context>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/outputs.h"
+#include "app/cli/settingsoptions.h"
 #include "model/animation/editedframes.h"
 #include "model/animation/metrics.h"
-#include "model/codec/animationcodec.h"
+#include "model/animation/settingsfields.h"
+#include "model/codec/ratecontrol.h"
 #include "model/io/animfile.h"
 
 #include <QElapsedTimer>
@@ -20,11 +22,13 @@ struct Encode
 {
     InputOptions input;
     NormaliseOption normalise;
-    model::CompressionSettings settings;
+    SettingsOptions compression;
     std::string output, permutation, name;
     bool measure = false;
 
     model::Result<void> run(Console &console) const;
+    model::Result<model::codec::EncodedAnimation>
+    encodeAs(const model::FrameSource &source, model::CompressionSettings &settings, Console &console) const;
     model::Result<void> writePermutation(const std::vector<std::uint32_t> &order) const;
     model::FrameSourcePtr named(model::FrameSourcePtr source) const;
 };
@@ -52,10 +56,28 @@ model::Result<void> Encode::writePermutation(const std::vector<std::uint32_t> &o
                                 {reinterpret_cast<const std::uint8_t *>(text.data()), text.size()});
 }
 
+/// With these settings, or with those that a target was met by, which `settings` then become.
+model::Result<model::codec::EncodedAnimation>
+Encode::encodeAs(const model::FrameSource &source, model::CompressionSettings &settings, Console &console) const
+{
+    // An .anim that already has these settings keeps its stream: encoding it once more would only lose more.
+    if (!compression.target())
+        return model::io::encodeEdited(source, settings, console.progress("Encoding"));
+    auto found = model::codec::encodeToTarget(source, settings.codec(), settings.keepOrder, *compression.target(),
+                                              console.progress("Searching"));
+    if (!found)
+        return model::fail(std::move(found.error()));
+    settings = found->settings;
+    return std::move(found->encoded);
+}
+
 model::Result<void> Encode::run(Console &console) const
 {
     if (endingOf(output) != QLatin1String("anim"))
         return model::fail(model::ErrorCode::BadSetting, "--output", output, "a name that ends in .anim");
+    auto settings = compression.settings();
+    if (!settings)
+        return model::fail(settings.error());
     if (auto checked =
             checkOutputs({{"--output", output}, {"--permutation", permutation}}, {input.path, input.baseMesh});
         !checked)
@@ -70,8 +92,7 @@ model::Result<void> Encode::run(Console &console) const
 
     QElapsedTimer clock;
     clock.start();
-    // An .anim that already has these settings keeps its stream: encoding it once more would only lose more.
-    const auto encoded = model::io::encodeEdited(*source, settings, console.progress("Encoding"));
+    const auto encoded = encodeAs(*source, *settings, console);
     if (!encoded)
         return model::fail(encoded.error());
     const double seconds = double(clock.elapsed()) / 1000;
@@ -85,11 +106,14 @@ model::Result<void> Encode::run(Console &console) const
                      {"vertices", double(source->vertexCount())},
                      {"triangles", double(source->connectivity().triangles.size())},
                      {"frames", double(source->frameCount())},
-                     {"encode_seconds", seconds}};
+                     {"encode_seconds", seconds},
+                     {"settings", fromUtf8(model::settingsText(*settings))}};
     QStringList text{QStringLiteral("%1: %2, %3 times smaller than float32, %4 bits per frame and vertex")
                          .arg(fromUtf8(output), sizeText(bytes))
                          .arg(rawBytes(*source) / bytes, 0, 'f', 1)
                          .arg(bitsPerFrameAndVertex(bytes, *source), 0, 'f', 3)};
+    if (compression.target())
+        text << QStringLiteral("Settings: %1").arg(fromUtf8(model::settingsText(*settings)));
 
     if (measure) {
         const auto decoded = model::codec::decodeAnimation(encoded->bytes);
@@ -134,21 +158,7 @@ void addEncode(CLI::App &app, Run &run)
     const auto options = std::make_shared<Encode>();
     options->input.addTo(*command);
     command->add_option("-o,--output", options->output, "The .anim file to write")->required()->type_name("FILE");
-    const std::map<std::string, model::CodecId> codecs{{"pca", model::CodecId::Pca}};
-    command->add_option("--codec", options->settings.codec, "How to encode")
-        ->transform(CLI::CheckedTransformer(codecs, CLI::ignore_case).description(""))
-        ->type_name("pca");
-    using Settings = model::CompressionSettings;
-    command
-        ->add_option("--basis", options->settings.basisSize,
-                     "Basis trajectories to keep: more is larger and more exact")
-        ->check(CLI::Range(Settings::MinBasisSize, Settings::MaxBasisSize))
-        ->type_name("K")
-        ->capture_default_str();
-    command->add_option("--resolution", options->settings.resolution, "Quantisation steps per unit of length")
-        ->check(finiteRange(Settings::MinResolution, Settings::MaxResolution))
-        ->type_name("R")
-        ->capture_default_str();
+    options->compression.addTo(*command);
     options->normalise.addTo(*command, "Fit the first frame, or all of them, into the cube -1..1 (default: none)");
     command->add_option("--fps", options->input.frameRate, "Frames per second; a scene is sampled at this rate")
         ->check(finiteRange(0.001, 1000))
@@ -164,6 +174,8 @@ void addEncode(CLI::App &app, Run &run)
     command->footer("Examples:\n"
                     "  sandreel-cli encode frames/ -o walk.anim\n"
                     "  sandreel-cli encode walk.pc2 --base-mesh walk.obj -o walk.anim --basis 40 --measure\n"
+                    "  sandreel-cli encode frames/ -o walk.anim --max-kg-error 0.5\n"
+                    "  sandreel-cli encode frames/ -o walk.anim --codec direct --resolution 16384 --predictor N\n"
                     "  sandreel-cli encode robot.glb --animation 2 --fps 30 --normalize all -o robot.anim");
     command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "model/animation/settingsfields.h"
 #include "model/codec/animationcodec.h"
 
 #include <QJsonArray>
@@ -28,6 +29,39 @@ QString textOf(model::Vec3f v)
         .arg(double(v.z), 0, 'g', 5);
 }
 
+QString fromView(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+/// The settings of the codec; returns them as a text: "pca, basis 17 of 20, resolution 10000".
+QString addSettings(const model::codec::DecodedAnimation &anim, QJsonObject &json)
+{
+    const model::CompressionSettings &settings = anim.settings();
+    QString text = fromView(model::codecKey(settings.codec()));
+    json["codec"] = text;
+    model::visitFields(settings.method, [&](const auto &field, const auto &value) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        QString shown = fromUtf8(model::fieldText(value));
+        const QString key = fromView(field.key).replace('-', '_');
+        if constexpr (std::is_arithmetic_v<Value>)
+            json[key] = double(value);
+        else
+            json[key] = shown;
+        if (field.key == "basis") {
+            json["basis_wanted"] = double(value);
+            json["basis"] = double(anim.basisSize());
+            if (double(value) != double(anim.basisSize()))
+                shown = QStringLiteral("%1 of %2").arg(anim.basisSize()).arg(shown);
+        }
+        text += QStringLiteral(", %1 %2").arg(fromView(field.key), shown);
+    });
+    if (settings.keepOrder)
+        text += QStringLiteral(", order kept");
+    json["keep_order"] = settings.keepOrder;
+    return text;
+}
+
 /// What an .anim file adds to what every animation has.
 model::Result<void> addEncoding(const model::codec::DecodedAnimation &anim, QJsonObject &json, QStringList &text)
 {
@@ -45,18 +79,14 @@ model::Result<void> addEncoding(const model::codec::DecodedAnimation &anim, QJso
     json["bytes"] = bytes;
     json["ratio"] = rawBytes(anim) / bytes;
     json["bpfv"] = bitsPerFrameAndVertex(bytes, anim);
-    json["codec"] = "pca";
-    json["basis"] = double(anim.basisSize());
-    json["resolution"] = anim.settings().resolution;
+    const QString codec = addSettings(anim, json);
     json["creator"] = fromUtf8(anim.creator());
     json["chunks"] = sizes;
     text << QStringLiteral("file          %1, %2 times smaller than float32, %3 bits per frame and vertex")
                 .arg(sizeText(bytes))
                 .arg(rawBytes(anim) / bytes, 0, 'f', 1)
                 .arg(bitsPerFrameAndVertex(bytes, anim), 0, 'f', 3)
-         << QStringLiteral("codec         pca, basis %1, resolution %2")
-                .arg(anim.basisSize())
-                .arg(anim.settings().resolution)
+         << QStringLiteral("codec         %1").arg(codec)
          << QStringLiteral("creator       %1").arg(fromUtf8(anim.creator()))
          << QStringLiteral("chunks        %1 (bytes)").arg(sizeTexts.join(QStringLiteral(", ")));
     return {};

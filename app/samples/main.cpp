@@ -16,11 +16,12 @@ namespace samples {
 
 std::span<const Sample> allSamples()
 {
-    using model::CodecId;
+    using model::CompressionSettings;
+    using model::PcaSettings;
     static constexpr std::array<Sample, 3> Samples{{
-        {"cloth", "a cloth that falls over a ball", makeCloth, {CodecId::Pca, 40, 1500}},
-        {"walker", "a creature walking on the spot", makeWalker, {CodecId::Pca, 20, 1500}},
-        {"jellyfish", "a jellyfish that pulses", makeJellyfish, {CodecId::Pca, 20, 2000}},
+        {"cloth", "a cloth that falls over a ball", makeCloth, CompressionSettings{PcaSettings{40, 1500}}},
+        {"walker", "a creature walking on the spot", makeWalker, CompressionSettings{PcaSettings{20, 1500}}},
+        {"jellyfish", "a jellyfish that pulses", makeJellyfish, CompressionSettings{PcaSettings{20, 2000}}},
     }};
     return Samples;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/animationcodec.h"
 
+#include "model/animation/settingsfields.h"
 #include "model/codec/container.h"
+#include "model/codec/direct/directcodec.h"
 #include "model/codec/pcacodec.h"
 #include "model/codec/syntax.h"
 
@@ -29,16 +31,18 @@ Result<void> checkNameAndRate(const std::string &name, double frameRate)
 
 Result<void> checkSettings(const CompressionSettings &settings)
 {
-    using S = CompressionSettings;
-    return requireSetting(settings.basisSize >= S::MinBasisSize && settings.basisSize <= S::MaxBasisSize, "basis size",
-                          settings.basisSize, S::MinBasisSize, S::MaxBasisSize)
-        .and_then([&] {
-            return requireSetting(settings.resolution >= S::MinResolution && settings.resolution <= S::MaxResolution,
-                                  "resolution", settings.resolution, S::MinResolution, S::MaxResolution);
-        });
+    Result<void> result;
+    visitFields(settings.method, [&](const auto &field, const auto &value) {
+        if (result && !field.allows(value))
+            result = fail(ErrorCode::BadSetting, std::string(field.key), fieldText(value),
+                          fieldText(field.least) + " ... " + fieldText(field.most));
+    });
+    return result;
 }
 
-Result<void> checkSizes(const FrameSource &source)
+} // namespace
+
+Result<void> checkSource(const FrameSource &source)
 {
     if (source.vertexCount() == 0)
         return fail(ErrorCode::NoVertices);
@@ -56,21 +60,25 @@ Result<void> checkSizes(const FrameSource &source)
     return {};
 }
 
-} // namespace
+std::span<const CodecId> availableCodecs()
+{
+    static constexpr std::array Codecs{CodecId::Pca, CodecId::Direct};
+    return Codecs;
+}
 
 Result<EncodedAnimation> encodeAnimation(const FrameSource &source, const CompressionSettings &settings,
                                          const Progress &progress)
 {
-    const Result<void> checked = checkSizes(source).and_then([&] { return checkSettings(settings); }).and_then([&] {
+    const Result<void> checked = checkSource(source).and_then([&] { return checkSettings(settings); }).and_then([&] {
         return checkNameAndRate(source.name(), source.frameRate());
     });
     if (!checked)
         return fail(checked.error());
-    switch (settings.codec) {
-    case CodecId::Pca:
-        return encodePca(source, settings, progress);
-    }
-    return fail(ErrorCode::UnknownCodec, std::to_string(int(settings.codec)));
+    if (const auto *pca = std::get_if<PcaSettings>(&settings.method))
+        return encodePca(source, *pca, progress);
+    if (const auto *direct = std::get_if<DirectSettings>(&settings.method))
+        return encodeDirect(source, *direct, progress);
+    return fail(ErrorCode::UnknownCodec, std::to_string(int(settings.codec())));
 }
 
 Result<std::shared_ptr<const DecodedAnimation>> decodeAnimation(Bytes file, const Progress &progress,
@@ -82,6 +90,10 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeAnimation(Bytes file, cons
     switch (CodecId(container->header.codec)) {
     case CodecId::Pca:
         return decodePca(std::move(file), *container, limits, progress);
+    case CodecId::Direct:
+        return decodeDirect(std::move(file), *container, limits, progress);
+    default:
+        break;
     }
     return fail(ErrorCode::UnknownCodec, std::to_string(container->header.codec));
 }

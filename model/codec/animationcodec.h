@@ -20,12 +20,15 @@ public:
     virtual const CompressionSettings &settings() const = 0;
     /// The program that wrote the file, e.g. "Sandreel 0.1.0".
     virtual const std::string &creator() const = 0;
-    /// Basis vectors kept, at most settings().basisSize.
+    /// Basis trajectories kept, at most as many as were asked for; 0 for a codec without a basis.
     virtual std::uint32_t basisSize() const = 0;
     /// Size of the whole file, bytes.
     virtual std::uint64_t encodedBytes() const = 0;
     /// The chunks as they came, so that renaming and saving loses nothing.
     virtual const Bytes &encoded() const = 0;
+    /// Decodes all that opening has left for later. Where that fails, positions() shows the last frame that could be
+    /// decoded instead. \error CorruptStream, Cancelled
+    virtual Result<void> check(const Progress &) const { return {}; }
 };
 
 /// Size of one chunk of an `.anim`, for `info`.
@@ -43,8 +46,15 @@ struct EncodedAnimation
     std::vector<std::uint32_t> permutation;
 };
 
+/// The codecs that this program has, those of the newest files first. What is offered to a user is taken from here.
+std::span<const CodecId> availableCodecs();
+
+/// Whether an animation has the sizes that the format takes. \error NoVertices, NoFrames, LimitExceeded
+Result<void> checkSource(const FrameSource &source);
+
 /// Encodes an animation as an `.anim` file. Same input, same bytes, with any number of threads.
 /// \error BadSetting     a setting outside its range
+/// \error UnknownCodec   a codec that is not one of availableCodecs()
 /// \error NonFinite      a position that is not finite
 /// \error LimitExceeded  a value too large to be quantised at this resolution
 /// \error Cancelled

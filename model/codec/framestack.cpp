@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace model::codec {
 
@@ -88,6 +90,26 @@ std::vector<double> FrameStack::rowMeans() const
         means[3 * f + 2] = z / mVertexCount;
     });
     return means;
+}
+
+double FrameStack::centredEnergy() const
+{
+    const std::vector<double> means = rowMeans();
+    std::vector<double> sums(mFrames.size());
+    parallelFor(mFrames.size(), [&](std::size_t f) {
+        for (const Vec3f p : mFrames[f]) {
+            const double x = double(p.x) - means[3 * f];
+            const double y = double(p.y) - means[3 * f + 1];
+            const double z = double(p.z) - means[3 * f + 2];
+            sums[f] += x * x + y * y + z * z;
+        }
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+double kgErrorOf(double squaredError, double energy)
+{
+    return 100 * std::sqrt(std::max(squaredError, 0.0)) / (energy > 0 ? std::sqrt(energy) : 1);
 }
 
 void FrameStack::centredVertices(std::span<const double> means, std::size_t first, std::size_t count, float *out,

@@ -21,9 +21,12 @@ public:
     std::uint32_t frameCount() const { return std::uint32_t(mFrames.size()); }
     std::uint32_t vertexCount() const { return mVertexCount; }
     std::size_t rowCount() const { return 3 * mFrames.size(); }
+    std::span<const Vec3f> frame(std::size_t index) const { return mFrames[index]; }
 
     /// The mean of each row.
     std::vector<double> rowMeans() const;
+    /// Sum of the squares of S minus its row means.
+    double centredEnergy() const;
 
     /// Columns first ... first+count-1 of S minus `means`: out is rowCount() x count, rows `stride` floats apart.
     void centredVertices(std::span<const double> means, std::size_t first, std::size_t count, float *out,
@@ -37,5 +40,8 @@ private:
     std::vector<Vec3f> mOwn;
     std::uint32_t mVertexCount = 0;
 };
+
+/// The error of Karni and Gotsman, per cent (model/animation/metrics.h). \param energy  FrameStack::centredEnergy()
+double kgErrorOf(double squaredError, double energy);
 
 } // namespace model::codec

@@ -14,9 +14,10 @@ std::uint64_t tileCount(std::uint64_t vertices)
 
 } // namespace
 
-PcaAnimation::PcaAnimation(Header header, CompressionSettings settings, std::uint32_t rank)
+PcaAnimation::PcaAnimation(Header header, const PcaSettings &settings, std::uint32_t rank)
     : mHeader(std::move(header))
-    , mSettings(settings)
+    , mSettings{settings}
+    , mResolution(settings.resolution)
     , mRank(rank)
     , mBasis(std::size_t(3) * mHeader.frameCount * rank)
     , mTiles(std::size_t(tileCount(mHeader.vertexCount)) * TileVertices * rank)
@@ -32,18 +33,18 @@ void PcaAnimation::setMeans(std::span<const std::int64_t> quantized)
 {
     mMeans.reserve(quantized.size());
     for (const std::int64_t q : quantized)
-        mMeans.push_back(double(q) / mSettings.resolution);
+        mMeans.push_back(double(q) / mResolution);
 }
 
 void PcaAnimation::setBasisRow(std::uint32_t k, std::span<const std::int32_t> quantized)
 {
     for (std::size_t i = 0; i < quantized.size(); ++i)
-        mBasis[i * mRank + k] = float(quantized[i] / mSettings.resolution);
+        mBasis[i * mRank + k] = float(quantized[i] / mResolution);
 }
 
 void PcaAnimation::setCoefficientRow(std::uint32_t k, std::span<const std::int32_t> quantized)
 {
-    const double step = 1 / mSettings.resolution;
+    const double step = 1 / mResolution;
     for (std::size_t v = 0; v < quantized.size(); ++v)
         mTiles[(v / TileVertices * mRank + k) * TileVertices + v % TileVertices] = float(quantized[v] * step);
 }

@@ -10,7 +10,7 @@ namespace model::codec {
 class PcaAnimation final : public DecodedAnimation
 {
 public:
-    PcaAnimation(Header header, CompressionSettings settings, std::uint32_t rank);
+    PcaAnimation(Header header, const PcaSettings &settings, std::uint32_t rank);
 
     // The decoder fills the parts, then hands the animation out as const.
     void setFile(Bytes file, std::uint64_t digest);
@@ -41,6 +41,7 @@ public:
 private:
     Header mHeader;
     CompressionSettings mSettings;
+    double mResolution;
     std::uint32_t mRank;
     Bytes mFile;
     std::uint64_t mDigest = 0;

@@ -32,7 +32,7 @@ struct Parameters
 template <class Stream, class Fields>
 bool parameterSyntax(Stream &s, Fields &p, const Header &header) // FORMAT.md 3.5
 {
-    using Limits = CompressionSettings;
+    using Limits = PcaSettings;
     return s.f64(p.resolution) &&
            s.requireReal(p.resolution, Limits::MinResolution, Limits::MaxResolution, "resolution") &&
            s.varUint(p.wantedBasisSize) &&
@@ -56,8 +56,37 @@ Bands coefficientShape(const Header &header, std::uint32_t rank)
 
 } // namespace
 
-Result<EncodedAnimation> encodePca(const FrameSource &source, const CompressionSettings &settings,
-                                   const Progress &progress)
+Result<Bytes> assemblePca(const FrameSource &source, const PcaSettings &settings, const QuantizedPca &pca,
+                          const Bytes &indices, const Progress &progress)
+{
+    Header header;
+    header.codec = std::uint8_t(CodecId::Pca);
+    header.vertexCount = source.vertexCount();
+    header.triangleCount = std::uint32_t(source.connectivity().triangles.size());
+    header.frameCount = source.frameCount();
+    header.frameRate = source.frameRate();
+    header.creator = creatorName();
+    header.name = source.name();
+    const Bytes means = encodeMeans(pca.means);
+    const Result<Bytes> basis = encodeBands(basisShape(header, pca.rank), pca.basis, progress.part(0, 0.1));
+    const Result<Bytes> coefficients =
+        encodeBands(coefficientShape(header, pca.rank), pca.coefficients, progress.part(0.1, 1));
+    if (!basis || !coefficients)
+        return fail(ErrorCode::Cancelled);
+
+    SyntaxWriter syntax;
+    const Parameters parameters{settings.resolution, settings.basisSize, pca.rank};
+    parameterSyntax(syntax, parameters, header);
+    ContainerWriter writer(header);
+    writer.chunk(ParametersTag, syntax.take());
+    writer.chunk(ConnectivityTag, indices);
+    writer.chunk(MeansTag, means);
+    writer.chunk(BasisTag, *basis);
+    writer.chunk(CoefficientsTag, *coefficients);
+    return writer.finish();
+}
+
+Result<EncodedAnimation> encodePca(const FrameSource &source, const PcaSettings &settings, const Progress &progress)
 {
     const Result<FrameStack> frames = FrameStack::gather(source, progress.part(0, 0.1));
     if (!frames)
@@ -65,36 +94,13 @@ Result<EncodedAnimation> encodePca(const FrameSource &source, const CompressionS
     const Result<QuantizedPca> pca = quantizedPca(*frames, settings, progress.part(0.1, 0.85));
     if (!pca)
         return fail(pca.error());
-    const Connectivity &connectivity = source.connectivity();
-    const Result<Bytes> indices = encodeIndices(connectivity, progress.part(0.85, 0.9));
+    const Result<Bytes> indices = encodeIndices(source.connectivity(), progress.part(0.85, 0.9));
     if (!indices)
         return fail(indices.error());
-
-    Header header;
-    header.codec = std::uint8_t(CodecId::Pca);
-    header.vertexCount = source.vertexCount();
-    header.triangleCount = std::uint32_t(connectivity.triangles.size());
-    header.frameCount = source.frameCount();
-    header.frameRate = source.frameRate();
-    header.creator = creatorName();
-    header.name = source.name();
-    const Bytes means = encodeMeans(pca->means);
-    const Result<Bytes> basis = encodeBands(basisShape(header, pca->rank), pca->basis, progress.part(0.9, 0.91));
-    const Result<Bytes> coefficients =
-        encodeBands(coefficientShape(header, pca->rank), pca->coefficients, progress.part(0.91, 1));
-    if (!basis || !coefficients)
-        return fail(ErrorCode::Cancelled);
-
-    SyntaxWriter syntax;
-    const Parameters parameters{settings.resolution, settings.basisSize, pca->rank};
-    parameterSyntax(syntax, parameters, header);
-    ContainerWriter writer(header);
-    writer.chunk(ParametersTag, syntax.take());
-    writer.chunk(ConnectivityTag, *indices);
-    writer.chunk(MeansTag, means);
-    writer.chunk(BasisTag, *basis);
-    writer.chunk(CoefficientsTag, *coefficients);
-    EncodedAnimation encoded{writer.finish(), std::vector<std::uint32_t>(source.vertexCount())};
+    Result<Bytes> bytes = assemblePca(source, settings, *pca, *indices, progress.part(0.9, 1));
+    if (!bytes)
+        return fail(bytes.error());
+    EncodedAnimation encoded{std::move(*bytes), std::vector<std::uint32_t>(source.vertexCount())};
     std::iota(encoded.permutation.begin(), encoded.permutation.end(), 0u);
     progress.report(1);
     return encoded;
@@ -124,7 +130,7 @@ Result<std::shared_ptr<const DecodedAnimation>> decodePca(Bytes file, const Cont
     if (const std::uint64_t limit = limits.bytesFor(file.size()); needed > limit)
         return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(limit));
 
-    const CompressionSettings settings{CodecId::Pca, parameters.wantedBasisSize, parameters.resolution};
+    const PcaSettings settings{parameters.wantedBasisSize, parameters.resolution};
     const auto animation = std::make_shared<PcaAnimation>(header, settings, parameters.rank);
     const auto means = decodeMeans(chunks[2], std::size_t(3) * header.frameCount);
     if (!means)

@@ -15,6 +15,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace model::codec {
 
@@ -215,38 +216,54 @@ std::vector<std::int32_t> quantizeBasis(MatrixXd &basis, Quantizer &quantize)
     return result;
 }
 
-/// The least-squares coefficients of every vertex on the decoded basis, quantised: #rank x #V.
-Result<std::vector<std::int32_t>> fittedCoefficients(const FrameStack &frames, std::span<const double> means,
-                                                     const MatrixXd &basis, double resolution, const Progress &progress)
+/// The least-squares coefficients of every vertex on the decoded basis, quantised, with the error that this makes.
+Result<void> fitCoefficients(const FrameStack &frames, std::span<const double> means, const MatrixXd &basis,
+                             double resolution, QuantizedPca &pca, const Progress &progress)
 {
     Quantizer quantize{resolution, "coefficient", MaxBandValue};
-    MatrixXd normal = basis.transpose() * basis;
-    normal.diagonal().array() += Ridge * normal.diagonal().maxCoeff();
-    const RowMajorMatrixF projection = normal.llt().solve(basis.transpose()).cast<float>();
+    const MatrixXd gram = basis.transpose() * basis;
+    MatrixXd normal = gram;
+    if (basis.cols() > 0)
+        normal.diagonal().array() += Ridge * normal.diagonal().maxCoeff();
+    const Eigen::LLT<MatrixXd> solver(normal);
 
     const std::size_t rank = std::size_t(basis.cols());
     const std::size_t vertices = frames.vertexCount();
-    std::vector<std::int32_t> result(rank * vertices);
+    pca.coefficients.resize(rank * vertices);
+    // One sum for each block, added in their order: the same with any number of threads.
+    std::vector<double> errors((vertices + BlockColumns - 1) / BlockColumns);
     std::atomic<std::size_t> done = 0;
-    parallelRanges(vertices, BlockColumns, [&](std::size_t begin, std::size_t end) {
+    parallelFor(errors.size(), [&](std::size_t block) {
         if (progress.isCancelled())
             return;
-        const std::size_t width = end - begin;
-        std::vector<float> panel(frames.rowCount() * width);
-        std::vector<float> values(rank * width);
+        const std::size_t begin = block * BlockColumns;
+        const std::size_t width = std::min(BlockColumns, vertices - begin);
+        RowMajorMatrixF panel(Index(frames.rowCount()), Index(width));
         frames.centredVertices(means, begin, width, panel.data(), width);
-        kernels().multiply(projection.data(), rank, frames.rowCount(), panel.data(), width, width, values.data(),
-                           width);
+        // In double: the error below is a small difference of large numbers.
+        const MatrixXd columns = panel.cast<double>();
+        const MatrixXd projected = basis.transpose() * columns;
+        const MatrixXd fitted = solver.solve(projected);
+        MatrixXd rounding = MatrixXd::Zero(Index(rank), Index(width));
         for (std::size_t k = 0; k < rank; ++k)
-            for (std::size_t i = 0; i < width; ++i)
-                result[k * vertices + begin + i] = std::int32_t(quantize(double(values[k * width + i])));
+            for (std::size_t i = 0; i < width; ++i) {
+                const double value = fitted(Index(k), Index(i));
+                const double q = quantize(value);
+                pca.coefficients[k * vertices + begin + i] = std::int32_t(q);
+                rounding(Index(k), Index(i)) = q / resolution - value;
+            }
+        // What no coefficients could give, then what their rounding adds: the fit makes the two orthogonal.
+        const double left =
+            columns.squaredNorm() - 2 * fitted.cwiseProduct(projected).sum() + fitted.cwiseProduct(gram * fitted).sum();
+        errors[block] = std::max(left, 0.0) + rounding.cwiseProduct(gram * rounding).sum();
         progress.report(double(done += width) / double(vertices));
     });
     if (progress.isCancelled())
         return fail(ErrorCode::Cancelled);
     if (quantize.exceeded)
         return quantize.error();
-    return result;
+    pca.squaredError = std::accumulate(errors.begin(), errors.end(), 0.0);
+    return {};
 }
 
 /// Bands that hold nothing but zeros are left out: an animation of lower rank keeps fewer trajectories.
@@ -271,37 +288,62 @@ void dropEmptyBands(QuantizedPca &pca, std::size_t rows, std::size_t vertices)
 
 } // namespace
 
-Result<QuantizedPca> quantizedPca(const FrameStack &frames, const CompressionSettings &settings,
-                                  const Progress &progress)
+struct PrincipalComponents::Basis
+{
+    MatrixXd vectors; ///< #3F x count, orthonormal, strongest first
+};
+
+PrincipalComponents::PrincipalComponents(std::unique_ptr<Basis> basis)
+    : mBasis(std::move(basis))
+{}
+PrincipalComponents::PrincipalComponents(PrincipalComponents &&) noexcept = default;
+PrincipalComponents::~PrincipalComponents() = default;
+
+Result<PrincipalComponents> PrincipalComponents::of(const FrameStack &frames, std::size_t count,
+                                                    const Progress &progress)
+{
+    const std::size_t most = std::min<std::size_t>({count, frames.rowCount(), frames.vertexCount()});
+    Result<MatrixXd> basis = principalBasis(frames, frames.rowMeans(), most, progress);
+    if (!basis)
+        return fail(std::move(basis).error());
+    fixSigns(*basis);
+    return PrincipalComponents(std::make_unique<Basis>(Basis{std::move(*basis)}));
+}
+
+std::size_t PrincipalComponents::count() const
+{
+    return std::size_t(mBasis->vectors.cols());
+}
+
+Result<QuantizedPca> PrincipalComponents::quantized(const FrameStack &frames, const PcaSettings &settings,
+                                                    const Progress &progress) const
 {
     QuantizedPca pca;
     Quantizer quantizeMean{settings.resolution, "mean position", double(MaxMeanValue)};
     std::vector<double> means = frames.rowMeans();
     for (double &mean : means) {
         pca.means.push_back(std::int64_t(quantizeMean(mean)));
-        // The basis then makes up for what the quantisation of the means took.
         mean = double(pca.means.back()) / settings.resolution;
     }
     if (quantizeMean.exceeded)
         return quantizeMean.error();
-
-    const std::size_t count = std::min<std::size_t>({settings.basisSize, frames.rowCount(), frames.vertexCount()});
-    Result<MatrixXd> basis = principalBasis(frames, means, count, progress.part(0, 0.8));
-    if (!basis)
-        return fail(basis.error());
-    fixSigns(*basis);
+    MatrixXd basis = mBasis->vectors.leftCols(std::min<Index>(settings.basisSize, mBasis->vectors.cols()));
     Quantizer quantizeBasisValue{settings.resolution, "basis", MaxBandValue};
-    pca.basis = quantizeBasis(*basis, quantizeBasisValue);
-    pca.rank = std::uint32_t(basis->cols());
-    if (pca.rank == 0)
-        return pca;
-    Result<std::vector<std::int32_t>> coefficients =
-        fittedCoefficients(frames, means, *basis, settings.resolution, progress.part(0.8, 1));
-    if (!coefficients)
-        return fail(coefficients.error());
-    pca.coefficients = std::move(*coefficients);
+    pca.basis = quantizeBasis(basis, quantizeBasisValue);
+    pca.rank = std::uint32_t(basis.cols());
+    if (const auto fitted = fitCoefficients(frames, means, basis, settings.resolution, pca, progress); !fitted)
+        return fail(fitted.error());
     dropEmptyBands(pca, frames.rowCount(), frames.vertexCount());
     return pca;
+}
+
+Result<QuantizedPca> quantizedPca(const FrameStack &frames, const PcaSettings &settings, const Progress &progress)
+{
+    const Result<PrincipalComponents> components =
+        PrincipalComponents::of(frames, settings.basisSize, progress.part(0, 0.8));
+    if (!components)
+        return fail(components.error());
+    return components->quantized(frames, settings, progress.part(0.8, 1));
 }
 
 } // namespace model::codec

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/animationdocument.h"
 
+#include "model/animation/settingsfields.h"
 #include "model/base/digest.h"
 
 #include <cassert>
@@ -60,11 +61,11 @@ CompressionSettings AnimationDocument::setCompression(const CompressionSettings 
 std::uint64_t AnimationDocument::fingerprint() const
 {
     std::uint64_t digest = digestOfArray(mTiming.map.sourcePositions(), mSource->digest());
-    const double numbers[] = {mTiming.frameRate,    mPlacement.scale,     mPlacement.offset[0],
-                              mPlacement.offset[1], mPlacement.offset[2], mCompression.resolution};
+    const double numbers[] = {mTiming.frameRate, mPlacement.scale, mPlacement.offset[0], mPlacement.offset[1],
+                              mPlacement.offset[2]};
     digest = digestOfArray(std::span<const double>(numbers), digest);
-    const std::uint32_t counts[] = {std::uint32_t(mCompression.codec), mCompression.basisSize};
-    digest = digestOfArray(std::span<const std::uint32_t>(counts), digest);
+    const std::string compression = settingsText(mCompression);
+    digest = digestOfArray(std::span<const char>(compression), digest);
     return digestOfArray(std::span<const char>(mName), digest);
 }
 

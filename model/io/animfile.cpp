@@ -2,6 +2,7 @@
 #include "model/io/animfile.h"
 
 #include "model/animation/editedframes.h"
+#include "model/animation/settingsfields.h"
 #include "model/io/failure.h"
 #include "model/io/filebuffer.h"
 
@@ -56,6 +57,16 @@ Result<Bytes> readBytes(const QString &path)
     return Bytes(text->begin(), text->end());
 }
 
+namespace {
+
+/// A file of these settings is what the wanted ones would make; a kept order does not hurt who did not ask for it.
+bool isMadeWith(const CompressionSettings &made, const CompressionSettings &wanted)
+{
+    return made.method == wanted.method && (made.keepOrder || !wanted.keepOrder || keepsOrderAnyway(made.codec()));
+}
+
+} // namespace
+
 Result<codec::EncodedAnimation> encodeEdited(const FrameSource &frames, const CompressionSettings &settings,
                                              const Progress &progress)
 {
@@ -63,7 +74,7 @@ Result<codec::EncodedAnimation> encodeEdited(const FrameSource &frames, const Co
     const auto *const decoded = edited && edited->keepsFrames()
                                     ? dynamic_cast<const codec::DecodedAnimation *>(edited->source().get())
                                     : nullptr;
-    if (!decoded || decoded->settings() != settings)
+    if (!decoded || !isMadeWith(decoded->settings(), settings))
         return codec::encodeAnimation(frames, settings, progress);
     Result<Bytes> bytes = codec::withNameAndRate(decoded->encoded(), frames.name(), frames.frameRate());
     if (!bytes)

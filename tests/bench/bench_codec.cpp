@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/codec/animationcodec.h"
+#include "model/animation/settingsfields.h"
 #include "model/codec/kernels.h"
+#include "model/codec/ratecontrol.h"
+#include "model/io/animationreader.h"
 #include "tests/model/codec/animations.h"
 #include "tests/support/realdata.h"
 
 #include <benchmark/benchmark.h>
 
+#include <QFileInfo>
+
+#include <chrono>
 #include <map>
 
 using namespace model;
@@ -25,12 +30,21 @@ const tests::PlainAnimation *realSequence(const std::string &name)
     return animation.get();
 }
 
+/// Any of the sequences, as the program reads it. Precondition: SANDREEL_DATA is set.
+FrameSourcePtr anySequence(const std::string &name)
+{
+    static std::map<std::string, FrameSourcePtr> known;
+    auto &animation = known[name];
+    const QString folder = tests::sequenceFolder(QString::fromStdString(name));
+    const QString cache = folder + u'/' + QString::fromStdString(name) + QStringLiteral(".pc2");
+    if (!animation)
+        animation = *io::readAnimation(QFileInfo::exists(cache) ? cache : folder);
+    return animation;
+}
+
 CompressionSettings settingsOf(std::int64_t basisSize, std::int64_t resolution)
 {
-    CompressionSettings settings;
-    settings.basisSize = std::uint32_t(basisSize);
-    settings.resolution = double(resolution);
-    return settings;
+    return {PcaSettings{std::uint32_t(basisSize), double(resolution)}};
 }
 
 void encode(benchmark::State &state, const FrameSource &source)
@@ -116,6 +130,55 @@ void allRates(benchmark::internal::Benchmark *benchmark)
             benchmark->Args({basisSize, resolution});
     benchmark->Unit(benchmark::kMillisecond)->Iterations(1);
 }
+/// Sizes of `direct`: the table of model/codec/README.md. Arguments: resolution, predictor, entropy coder.
+void direct(benchmark::State &state, const std::string &name)
+{
+    const auto source = anySequence(name);
+    const CompressionSettings settings{
+        DirectSettings{std::uint32_t(state.range(0)), Predictor(state.range(1)), Entropy(state.range(2))}};
+    Bytes bytes;
+    for (auto _ : state)
+        bytes = encodeAnimation(*source, settings)->bytes;
+    state.counters["bpfv"] = 8.0 * double(bytes.size()) / source->frameCount() / source->vertexCount();
+    state.SetLabel(settingsText(settings));
+    std::vector<Vec3f> frame(source->vertexCount());
+    const auto begin = std::chrono::steady_clock::now();
+    const auto decoded = *decodeAnimation(bytes);
+    for (std::uint32_t f = 0; f < decoded->frameCount(); ++f)
+        decoded->positions(f, frame);
+    state.counters["decode_all_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void directSettings(benchmark::internal::Benchmark *benchmark)
+{
+    benchmark->ArgsProduct({{1024, 4096, 16384}, {0, 1, 2, 3, 4}, {0, 1}});
+    benchmark->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
+}
+
+/// Settings searched for a KG error in hundredths of a per cent, by codec.
+void target(benchmark::State &state, const std::string &name)
+{
+    const auto source = anySequence(name);
+    Result<TargetedEncoding> result;
+    for (auto _ : state)
+        result = encodeToTarget(*source, CodecId(state.range(0)), false, MaxKgError{double(state.range(1)) / 100});
+    if (!result) {
+        state.SkipWithError("not to be reached");
+        return;
+    }
+    state.SetLabel(settingsText(result->settings));
+    state.counters["bpfv"] = 8.0 * double(result->encoded.bytes.size()) / source->frameCount() / source->vertexCount();
+    state.counters["kg_percent"] = result->errors.kgErrorPercent;
+}
+
+void targets(benchmark::internal::Benchmark *benchmark)
+{
+    for (const CodecId codec : availableCodecs())
+        for (const int percent : {500, 100, 10})
+            benchmark->Args({int(codec), percent});
+    benchmark->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
+}
+
 /// 200 encodings: only where there are sequences to encode.
 const bool registered = [] {
     if (tests::dataFolder().isEmpty())
@@ -124,6 +187,10 @@ const bool registered = [] {
         for (const bool normalise : {true, false})
             benchmark::RegisterBenchmark(("rate/" + name + (normalise ? "" : "AsItIs")).c_str(), rate, name, normalise)
                 ->Apply(allRates);
+    for (const std::string name : {"chicken", "cow", "dance", "samba", "horse-gallop"}) {
+        benchmark::RegisterBenchmark(("direct/" + name).c_str(), direct, name)->Apply(directSettings);
+        benchmark::RegisterBenchmark(("target/" + name).c_str(), target, name)->Apply(targets);
+    }
     return true;
 }();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/animation/settingsfields.h"
 #include "model/document/animationdocument.h"
 
 #include <cmath>
@@ -71,11 +72,9 @@ inline std::vector<std::string> brokenRules(const AnimationState &state)
     for (const double offset : state.placement.offset)
         placementIsFinite = placementIsFinite && std::isfinite(offset);
     rule(placementIsFinite && state.placement.scale > 0, "the placement is finite and its scale above zero");
-    const model::CompressionSettings &settings = state.compression;
-    rule(settings.basisSize >= settings.MinBasisSize && settings.basisSize <= settings.MaxBasisSize,
-         "the basis size is in range");
-    rule(settings.resolution >= settings.MinResolution && settings.resolution <= settings.MaxResolution,
-         "the resolution is in range");
+    model::visitFields(state.compression.method, [&](const auto &field, auto value) {
+        rule(field.allows(value), (std::string(field.key) + " is in range").c_str());
+    });
     rule(state.shownFrameCount == state.sourcePositions.size() && state.shownSourcePositions == state.sourcePositions,
          "the frames follow the time map");
     rule(state.shownFrameRate == state.frameRate, "the frames have the rate");

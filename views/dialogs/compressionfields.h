@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QString>
 
+#include <functional>
+#include <string_view>
 #include <vector>
 
 class QComboBox;
@@ -15,8 +17,9 @@ namespace views {
 
 class NumberField;
 
-/// The rows of a form that choose a codec and its settings; only those that the chosen codec has are seen. A new codec
-/// is a row in codecs(), a new setting a call of addSetting().
+/// The rows of a form that choose a codec and its settings; only those of the chosen codec are seen, and each codec
+/// keeps what was entered for it. Which codecs there are is said by codec::availableCodecs(), which fields they have by
+/// model::visitFields(): a new field only needs its texts here.
 class CompressionFields final : public QObject
 {
     Q_OBJECT
@@ -31,8 +34,12 @@ public:
     /// The first refused field of the chosen codec, as a sentence; empty if there is none.
     QString problem() const;
 
-    NumberField &basisSize() { return *mBasisSize; }
-    NumberField &resolution() { return *mResolution; }
+    /// All fields for numbers, of all codecs.
+    std::vector<NumberField *> numberFields() const;
+    /// The field of the chosen codec with this key (model::SettingField); null if it has none or it is no number.
+    NumberField *numberField(std::string_view key) const;
+    /// The first field of the chosen codec.
+    QWidget *firstField() const;
 
     /// "PCA, basis 20, resolution 10,000"
     static QString summary(const model::CompressionSettings &settings);
@@ -42,21 +49,25 @@ signals:
     void changed();
 
 private:
-    struct Setting
+    /// A field on the screen. Exactly one of `number` and `choice` is set.
+    struct Row
     {
-        NumberField *field;
-        std::vector<model::CodecId> codecs; ///< that have it
+        model::CodecId codec;
+        std::string_view key;
+        NumberField *number = nullptr;
+        QComboBox *choice = nullptr;
+
+        QWidget *widget() const;
     };
 
-    NumberField *addSetting(const QString &label, NumberField *field, std::vector<model::CodecId> codecs);
+    void addRows(model::CodecId codec);
+    const Row *rowOf(model::CodecId codec, std::string_view key) const;
     model::CodecId codec() const;
-    void showSettingsOfCodec();
+    void showFieldsOfCodec();
 
     QFormLayout &mForm;
     QComboBox *mCodec;
-    std::vector<Setting> mSettings;
-    NumberField *mBasisSize;
-    NumberField *mResolution;
+    std::vector<Row> mRows;
 };
 
 } // namespace views

@@ -42,7 +42,7 @@ public:
     /// Why the text is refused, as a sentence that names the field; empty if it is not.
     QString problem() const;
 
-    InputLine &input() { return *mInput; }
+    InputLine &input() const { return *mInput; }
 
 signals:
     /// The value is another one, or began or ceased to be one.

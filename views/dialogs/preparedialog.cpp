@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/dialogs/preparedialog.h"
 
+#include "model/animation/settingsfields.h"
 #include "model/io/errortext.h"
 #include "views/dialogs/compressionfields.h"
 #include "views/dialogs/framepreview.h"
@@ -234,17 +235,11 @@ void PrepareDialog::restoreSettings()
 {
     QSettings settings;
     settings.beginGroup(QStringLiteral("prepareDialog"));
-    model::CompressionSettings compression;
     const auto within = [](double value, double min, double max, double otherwise) {
         return value >= min && value <= max ? value : otherwise; // also for what is not a number
     };
-    using Limits = model::CompressionSettings;
-    compression.basisSize =
-        std::uint32_t(within(settings.value(QStringLiteral("basisSize"), compression.basisSize).toDouble(),
-                             Limits::MinBasisSize, Limits::MaxBasisSize, compression.basisSize));
-    compression.resolution = within(settings.value(QStringLiteral("resolution"), compression.resolution).toDouble(),
-                                    Limits::MinResolution, Limits::MaxResolution, compression.resolution);
-    mCompression->setSettings(compression);
+    const std::string compression = settings.value(QStringLiteral("compression")).toString().toStdString();
+    mCompression->setSettings(model::settingsFromText(compression).value_or(model::CompressionSettings()));
     mNormalisation->setMode(Normalisation(settings.value(QStringLiteral("normalisation")).toInt()));
     mBakeRate->setValue(
         within(settings.value(QStringLiteral("bakeRate"), 25).toDouble(), FrameRates.min, FrameRates.max, 25));
@@ -258,10 +253,9 @@ void PrepareDialog::saveSettings() const
 {
     QSettings settings;
     settings.beginGroup(QStringLiteral("prepareDialog"));
-    if (mCompression->problem().isEmpty()) {
-        settings.setValue(QStringLiteral("basisSize"), mCompression->settings().basisSize);
-        settings.setValue(QStringLiteral("resolution"), mCompression->settings().resolution);
-    }
+    if (mCompression->problem().isEmpty())
+        settings.setValue(QStringLiteral("compression"),
+                          QString::fromStdString(model::settingsText(mCompression->settings())));
     settings.setValue(QStringLiteral("normalisation"), int(mNormalisation->mode()));
     if (mBakeRate->value())
         settings.setValue(QStringLiteral("bakeRate"), *mBakeRate->value());
@@ -406,15 +400,17 @@ void PrepareDialog::proposeOutput()
 
 void PrepareDialog::showResolutionMeaning()
 {
-    const std::optional<double> resolution = mCompression->resolution().value();
+    if (mCompression->settings().codec() != model::CodecId::Pca)
+        return;
+    NumberField &field = *mCompression->numberField("resolution");
+    const std::optional<double> resolution = field.value();
     // Normalising makes the longest side 2 (for the first frame alone: about that).
     const double longest = mNormalisation->mode() != Normalisation::None ? 2
                            : mFound                                      ? double(mFound->box.longestSide())
                                                                          : 0;
-    mCompression->resolution().setHint(
-        resolution && longest > 0
-            ? tr("one step: %1 % of the longest side").arg(significantText(100 / *resolution / longest))
-            : tr("steps per unit of length"));
+    field.setHint(resolution && longest > 0
+                      ? tr("one step: %1 % of the longest side").arg(significantText(100 / *resolution / longest))
+                      : tr("steps per unit of length"));
 }
 
 QString PrepareDialog::problem() const
@@ -499,8 +495,10 @@ void PrepareDialog::showEncoded(model::Result<EncodingReport> result)
 
 void PrepareDialog::encodeAgain()
 {
-    mCompression->basisSize().input().setFocus();
-    mCompression->basisSize().input().selectAll();
+    QWidget *field = mCompression->firstField();
+    field->setFocus();
+    if (const auto *number = qobject_cast<NumberField *>(field))
+        number->input().selectAll();
 }
 
 void PrepareDialog::reject()

@@ -102,13 +102,13 @@ QWidget *CompressionDock::makeSettingsPart(QWidget *parent)
     mSettingsPart = part;
     mFields = new CompressionFields(*form, part);
     // A dock is narrow: no remarks, and a refusal may take several lines.
-    for (NumberField *field : {&mFields->basisSize(), &mFields->resolution()})
+    for (NumberField *field : mFields->numberFields())
         field->setHint(QString());
     for (HintLabel *hint : part->findChildren<HintLabel *>())
         hint->setWordWrap(true);
     connect(mFields, &CompressionFields::changed, this, &CompressionDock::editSettings);
     // Steps that follow one another in one field are one step of the history; leaving the field ends it.
-    for (NumberField *field : {&mFields->basisSize(), &mFields->resolution()})
+    for (NumberField *field : mFields->numberFields())
         connect(&field->input(), &QLineEdit::editingFinished, this, [this] {
             if (mContext)
                 mGesture = mContext->newGesture();

@@ -52,7 +52,10 @@ void TestCommandLine::helpNamesEveryOption_data()
     QTest::newRow("encode") << input + QStringList{"INPUT",       "--output",       "-o",
                                                    "--codec",     "--basis",        "--resolution",
                                                    "--normalize", "none|first|all", "--fps",
-                                                   "--name",      "--permutation",  "--measure"};
+                                                   "--name",      "--permutation",  "--measure",
+                                                   "--predictor", "none|A|B|C|N",   "--entropy",
+                                                   "--quality",   "--max-kg-error", "--max-vertex-error",
+                                                   "--max-bytes", "--keep-order",   "direct"};
     QTest::newRow("decode") << input +
                                    QStringList{"INPUT", "--output", "-o", "--format", "obj|off|ply", "--mesh", ".pc2"};
     QTest::newRow("info") << input + QStringList{"INPUT"};
@@ -97,6 +100,17 @@ void TestCommandLine::usageErrors_data()
     row("encode: resolution 0", {"encode", in, "-o", anim, "--resolution", "0"});
     row("encode: resolution nan", {"encode", in, "-o", anim, "--resolution", "nan"});
     row("encode: codec", {"encode", in, "-o", anim, "--codec", "zip"});
+    row("encode: no such option with pca", {"encode", in, "-o", anim, "--codec", "pca", "--predictor", "A"});
+    row("encode: no such option with direct", {"encode", in, "-o", anim, "--codec", "direct", "--basis", "5"});
+    row("encode: predictor", {"encode", in, "-o", anim, "--codec", "direct", "--predictor", "D"});
+    row("encode: entropy", {"encode", in, "-o", anim, "--codec", "direct", "--entropy", "zip"});
+    row("encode: half a cell", {"encode", in, "-o", anim, "--codec", "direct", "--resolution", "1000.5"});
+    row("encode: two targets", {"encode", in, "-o", anim, "--quality", "0.5", "--max-bytes", "5000"});
+    row("encode: target and setting", {"encode", in, "-o", anim, "--quality", "0.5", "--basis", "5"});
+    row("encode: quality", {"encode", in, "-o", anim, "--quality", "1.5"});
+    row("encode: KG error nan", {"encode", in, "-o", anim, "--max-kg-error", "nan"});
+    row("encode: vertex error", {"encode", in, "-o", anim, "--max-vertex-error", "0"});
+    row("encode: too few bytes", {"encode", in, "-o", anim, "--max-bytes", "10"});
     row("encode: normalize", {"encode", in, "-o", anim, "--normalize", "last"});
     row("encode: fps 0", {"encode", in, "-o", anim, "--fps", "0"});
     row("encode: fps nan", {"encode", in, "-o", anim, "--fps", "nan"});

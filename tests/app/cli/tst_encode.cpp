@@ -27,6 +27,9 @@ private slots:
     void rateAndNameAreKept();
     void anAnimWithTheSameSettingsKeepsItsStream();
     void moreBasisIsMoreExact();
+    void directIsEncoded();
+    void targetsAreMet_data();
+    void targetsAreMet();
     void outputThatCannotBeWritten_data();
     void outputThatCannotBeWritten();
     void failedOutputLeavesTheOldFile();
@@ -243,6 +246,57 @@ void TestEncode::failedOutputLeavesTheOldFile()
     tests::writeFile(path("bad/frame_1.obj"), "v 1 2\n");
     SANDREEL_RUN(run, 3, {"encode", path("bad"), "-o", path("old.anim")});
     QCOMPARE(tests::readFile(path("old.anim")), QByteArray("precious"));
+}
+
+void TestEncode::directIsEncoded()
+{
+    SANDREEL_RUN(run, 0,
+                 {"encode", path("torus"), "-o", path("direct.anim"), "--codec", "direct", "--resolution", "1000",
+                  "--predictor", "b", "--entropy", "deflate", "--measure", "--json"});
+    SANDREEL_RUN(info, 0, {"--json", "info", path("direct.anim")});
+    const QJsonObject box = info.json().value("box").toObject();
+    double longest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        longest = std::max(longest,
+                           box.value("max").toArray()[axis].toDouble() - box.value("min").toArray()[axis].toDouble());
+    const double halfDiagonal = longest / 1000 * std::sqrt(3.0) / 2;
+    const double largest = run.json().value("max_vertex_error").toDouble();
+    QVERIFY2(largest > halfDiagonal / 2 && largest < 1.01 * halfDiagonal, qPrintable(QString::number(largest)));
+    QCOMPARE(info.json().value("codec").toString(), QString("direct"));
+    QCOMPARE(info.json().value("resolution").toInt(), 1000);
+    QCOMPARE(info.json().value("predictor").toString(), QString("B"));
+    QCOMPARE(info.json().value("entropy").toString(), QString("deflate"));
+    QVERIFY(!info.json().contains("basis"));
+    SANDREEL_RUN(text, 0, {"info", path("direct.anim")});
+    QVERIFY2(text.out.contains("direct, resolution 1000, predictor B, entropy deflate"), text.out.constData());
+}
+
+void TestEncode::targetsAreMet_data()
+{
+    QTest::addColumn<QStringList>("target");
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<double>("most");
+    for (const char *codec : {"direct", "pca"}) {
+        const auto row = [codec](const char *option, const char *value, const char *key, double most) {
+            QTest::addRow("%s %s", codec, option) << QStringList{"--codec", codec, option, value} << key << most;
+        };
+        row("--quality", "0.5", "kg_error_percent", 0.7072);
+        row("--max-kg-error", "2", "kg_error_percent", 2);
+        row("--max-vertex-error", "0.01", "max_vertex_error", 0.0745); // the diagonal is 7.45
+        row("--max-bytes", "4000", "bytes", 4000);
+    }
+}
+
+void TestEncode::targetsAreMet()
+{
+    QFETCH(const QStringList, target);
+    QFETCH(const QString, key);
+    QFETCH(const double, most);
+    SANDREEL_RUN(run, 0,
+                 QStringList{"encode", path("torus"), "-o", path("target.anim"), "--measure", "--json"} + target);
+    const double reached = run.json().value(key).toDouble();
+    QVERIFY2(reached > 0.5 * most && reached <= most, qPrintable(QString::number(reached)));
+    QVERIFY(run.json().value("settings").toString().startsWith(target[1]));
 }
 
 SANDREEL_TEST(TestEncode)

@@ -156,7 +156,7 @@ private slots:
             case 7:
                 gesture = topGesture != NoGesture && below(3) ? topGesture : context.newGesture();
                 merges = gesture == topGesture;
-                next.compression.basisSize = 20 + below(3);
+                next.compression.method = model::PcaSettings{20 + below(3), 10000};
                 context.push<SetCompression>(next.compression, gesture);
                 break;
             case 8:

@@ -17,9 +17,9 @@ class TestSetCompression final : public QObject
     AnimationDocument mDocument{tests::wave(tests::cube())};
     std::unique_ptr<EditContext> mContext;
 
-    static CompressionSettings withBasis(std::uint32_t size) { return {model::CodecId::Pca, size, 10000}; }
+    static CompressionSettings withBasis(std::uint32_t size) { return {model::PcaSettings{size, 10000}}; }
     QUndoStack &stack() { return mContext->undoStack(); }
-    std::uint32_t basisSize() const { return mDocument.compression().basisSize; }
+    std::uint32_t basisSize() const { return std::get<model::PcaSettings>(mDocument.compression().method).basisSize; }
 
 private slots:
     void init()

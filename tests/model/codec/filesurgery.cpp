@@ -52,10 +52,7 @@ Bytes withPayload(const Bytes &file, const std::string &tag, const std::function
 
 Bytes smallFile()
 {
-    CompressionSettings settings;
-    settings.basisSize = 3;
-    settings.resolution = 1000;
-    return codec::encodeAnimation(waves(4, 12, 5), settings)->bytes;
+    return codec::encodeAnimation(waves(4, 12, 5), {PcaSettings{3, 1000}})->bytes;
 }
 
 std::string errorText(const Bytes &file)

@@ -26,4 +26,7 @@ struct PlainAnim
 
 PlainAnim decodePlainly(const std::vector<std::uint8_t> &file);
 
+/// FORMAT.md 5.1: the chunk of the triangles. Throws a std::string.
+std::vector<std::array<std::int64_t, 3>> plainTriangles(const std::vector<std::uint8_t> &payload, std::uint64_t count);
+
 } // namespace tests

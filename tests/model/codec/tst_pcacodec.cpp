@@ -23,10 +23,7 @@ namespace {
 
 CompressionSettings settingsOf(std::uint32_t basisSize, double resolution)
 {
-    CompressionSettings settings;
-    settings.basisSize = basisSize;
-    settings.resolution = resolution;
-    return settings;
+    return {PcaSettings{basisSize, resolution}};
 }
 
 /// S minus its row means, in double, straight from the definition.
@@ -269,8 +266,8 @@ private slots:
         QTest::addColumn<double>("rate");
         QTest::addColumn<QString>("setting");
         const double nan = std::numeric_limits<double>::quiet_NaN();
-        QTest::newRow("no basis") << 0.0 << 1e4 << 25.0 << "basis size";
-        QTest::newRow("large basis") << 1001.0 << 1e4 << 25.0 << "basis size";
+        QTest::newRow("no basis") << 0.0 << 1e4 << 25.0 << "basis";
+        QTest::newRow("large basis") << 1001.0 << 1e4 << 25.0 << "basis";
         QTest::newRow("no resolution") << 5.0 << 0.0 << 25.0 << "resolution";
         QTest::newRow("large resolution") << 5.0 << 1.01e7 << 25.0 << "resolution";
         QTest::newRow("NaN resolution") << 5.0 << nan << 25.0 << "resolution";

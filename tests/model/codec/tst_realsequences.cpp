@@ -33,9 +33,7 @@ private slots:
         QFETCH(double, largestSize);
         const auto source = tests::normalised(*tests::readPointCache(tests::sequenceFolder(name).toStdString()));
         QVERIFY(source.vertexCount() > 1000);
-        CompressionSettings settings;
-        settings.basisSize = 20;
-        settings.resolution = 10000;
+        const CompressionSettings settings{PcaSettings{20, 10000}};
         const auto encoded = encodeAnimation(source, settings);
         QVERIFY(encoded.has_value());
         const auto decoded = decodeAnimation(encoded->bytes);

@@ -33,7 +33,7 @@ private slots:
     void startsAsItsSource()
     {
         const auto sequence = source();
-        const AnimationDocument document(sequence, {CodecId::Pca, 7, 123});
+        const AnimationDocument document(sequence, {PcaSettings{7, 123}});
         QVERIFY(document.source() == sequence);
         QCOMPARE(document.frameCount(), 6u);
         QCOMPARE(document.vertexCount(), 8u);
@@ -41,7 +41,7 @@ private slots:
         QVERIFY(document.timing() == Timing({TimeMap::identity(6), 25.0}));
         QVERIFY(document.placement().isIdentity());
         QVERIFY(document.name() == "wave");
-        QVERIFY(document.compression() == CompressionSettings({CodecId::Pca, 7, 123}));
+        QVERIFY(document.compression() == (CompressionSettings{PcaSettings{7, 123}}));
         QVERIFY(document.frames()->keepsFrames());
         QVERIFY(tests::brokenRules(document).empty());
     }
@@ -70,7 +70,7 @@ private slots:
         QVERIFY(document.setName("other") == "other");
         QVERIFY(told().empty());
 
-        const CompressionSettings settings{CodecId::Pca, 30, 500};
+        const CompressionSettings settings{PcaSettings{30, 500}};
         QVERIFY(document.setCompression(settings) == CompressionSettings());
         QVERIFY(told() == one<CompressionChanged>());
         QVERIFY(document.setCompression(settings) == settings);
@@ -109,7 +109,7 @@ private slots:
         document.setTiming({TimeMap({1}), 12});
         document.setPlacement({2, {}});
         document.setName("");
-        document.setCompression({CodecId::Pca, 1, 1});
+        document.setCompression({PcaSettings{1, 1}});
         QCOMPARE(calls, 4);
     }
 
@@ -144,10 +144,10 @@ private slots:
             [](AnimationDocument &d) { d.setName("wavf"); },
             [](AnimationDocument &d) { d.setName(""); },
             [](AnimationDocument &d) {
-                d.setCompression({CodecId::Pca, 21, 10000});
+                d.setCompression({PcaSettings{21, 10000}});
             },
             [](AnimationDocument &d) {
-                d.setCompression({CodecId::Pca, 20, 10001});
+                d.setCompression({PcaSettings{20, 10001}});
             },
         };
         std::set<std::uint64_t> fingerprints;
@@ -204,10 +204,30 @@ private:
              [](State &s) {
                  s.placement.offset[1] = s.shownPlacement.offset[1] = std::numeric_limits<double>::infinity();
              }},
-            {"the basis size is in range", [](State &s) { s.compression.basisSize = 0; }},
-            {"the basis size is in range", [](State &s) { s.compression.basisSize = 1001; }},
-            {"the resolution is in range", [](State &s) { s.compression.resolution = nan; }},
-            {"the resolution is in range", [](State &s) { s.compression.resolution = 2e7; }},
+            {"basis is in range",
+             [](State &s) {
+                 s.compression.method = PcaSettings{0, 1e4};
+             }},
+            {"basis is in range",
+             [](State &s) {
+                 s.compression.method = PcaSettings{1001, 1e4};
+             }},
+            {"resolution is in range",
+             [](State &s) {
+                 s.compression.method = PcaSettings{20, nan};
+             }},
+            {"resolution is in range",
+             [](State &s) {
+                 s.compression.method = PcaSettings{20, 2e7};
+             }},
+            {"step is in range",
+             [](State &s) {
+                 s.compression.method = ReelSettings{0, 20};
+             }},
+            {"predictor is in range",
+             [](State &s) {
+                 s.compression.method = DirectSettings{10, Predictor(5)};
+             }},
             {"the frames follow the time map", [](State &s) { s.shownFrameCount = 5; }},
             {"the frames follow the time map", [](State &s) { s.shownSourcePositions[2] = 1; }},
             {"the frames have the rate", [](State &s) { s.shownFrameRate = 24; }},

@@ -115,7 +115,7 @@ private slots:
         const auto decoded = encodeAndOpen();
         const TimeMap all = TimeMap::identity(decoded->frameCount());
         CompressionSettings finer = decoded->settings();
-        finer.resolution *= 2;
+        std::get<PcaSettings>(finer.method).resolution *= 2;
         const EditedFrames same(decoded, all, {}, 30, "wavy"), trimmed(decoded, all.trimmed(1, 4), {}, 30, "wavy"),
             moved(decoded, all, {2, {1, 0, 0}}, 30, "wavy");
         const auto check = [](const EditedFrames &frames, const CompressionSettings &settings) {

@@ -110,9 +110,9 @@ private slots:
         tests::open(dialog);
         dialog.setSource(source);
         QTRY_VERIFY(isReady(dialog));
-        for (const auto &[field, bad, good] : {std::tuple("basisSize", "0", "5"),
-                                               {"basisSize", "1001", "5"},
-                                               {"resolution", "0.5", "1000"},
+        for (const auto &[field, bad, good] : {std::tuple("pca-basis", "0", "5"),
+                                               {"pca-basis", "1001", "5"},
+                                               {"pca-resolution", "0.5", "1000"},
                                                {"frameRate", "0", "30"}}) {
             typeInto(dialog, field, bad);
             QVERIFY2(dialog.findChild<views::NumberField *>(field)->input().isRefused(), field);
@@ -133,7 +133,7 @@ private slots:
         QTRY_VERIFY(isReady(dialog));
         typeInto(dialog, "name", "Waving Flag");
         typeInto(dialog, "frameRate", "29.97");
-        typeInto(dialog, "basisSize", "4");
+        typeInto(dialog, "pca-basis", "4");
         typeInto(dialog, "output", path("flag")); // the ending is added
         click(dialog, "encode");
         QTRY_COMPARE(tryCount(dialog), 1);
@@ -145,7 +145,7 @@ private slots:
         QCOMPARE((*anim)->connectivity().triangles.size(), std::size_t(48));
         QCOMPARE((*anim)->name(), std::string("Waving Flag"));
         QCOMPARE((*anim)->frameRate(), 29.97);
-        QCOMPARE((*anim)->settings().basisSize, 4u);
+        QCOMPARE(std::get<model::PcaSettings>((*anim)->settings().method).basisSize, 4u);
         QVERIFY(textOf(dialog, "resultSummary").contains("KG error"));
 
         click(dialog, "openResult");
@@ -278,7 +278,7 @@ private slots:
         tests::open(dialog);
         dialog.setSource(smallSource());
         QTRY_VERIFY(isReady(dialog));
-        typeInto(dialog, "basisSize", "1");
+        typeInto(dialog, "pca-basis", "1");
         click(dialog, "encode");
         QTRY_COMPARE(tryCount(dialog), 1);
         click(dialog, "encodeAgain");
@@ -373,22 +373,21 @@ private slots:
         {
             PrepareDialog dialog;
             tests::open(dialog);
-            typeInto(dialog, "basisSize", "37");
-            typeInto(dialog, "resolution", "2500");
+            typeInto(dialog, "pca-basis", "37");
+            typeInto(dialog, "pca-resolution", "2500");
         }
         const PrepareDialog again;
-        QCOMPARE(textOf(again, "basisSize"), QString("37"));
-        QCOMPARE(textOf(again, "resolution"), QString("2,500"));
+        QCOMPARE(textOf(again, "pca-basis"), QString("37"));
+        QCOMPARE(textOf(again, "pca-resolution"), QString("2,500"));
     }
 
     void spoiltSettingsAreNotTaken()
     {
-        QSettings().setValue("prepareDialog/basisSize", -27);
-        QSettings().setValue("prepareDialog/resolution", "rubbish");
+        QSettings().setValue("prepareDialog/compression", "pca basis=-27 resolution=rubbish");
         QSettings().setValue("prepareDialog/normalisation", 99);
         const PrepareDialog dialog;
-        QCOMPARE(textOf(dialog, "basisSize"), QString("20"));
-        QCOMPARE(textOf(dialog, "resolution"), QString("10,000"));
+        QCOMPARE(textOf(dialog, "pca-basis"), QString("20"));
+        QCOMPARE(textOf(dialog, "pca-resolution"), QString("10,000"));
     }
 
     void everyControlHasAName()
