@@ -1380,6 +1380,118 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
         <source>resolution %1</source>
         <translation>rozlišení %1</translation>
     </message>
+    <message>
+        <source>0: as many as pay</source>
+        <translation>0: kolik se vyplatí</translation>
+    </message>
+    <message>
+        <source>cells along the longest side</source>
+        <translation>buněk podél nejdelší strany</translation>
+    </message>
+    <message>
+        <source>No vertex is farther off than half the diagonal of a cell.</source>
+        <translation>Žádný vrchol není dál než půl úhlopříčky buňky.</translation>
+    </message>
+    <message>
+        <source>St&amp;ep:</source>
+        <translation>Kr&amp;ok:</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Krok</translation>
+    </message>
+    <message>
+        <source>less: larger and more exact</source>
+        <translation>méně: větší a přesnější</translation>
+    </message>
+    <message>
+        <source>How finely the movements&apos; shares are rounded, relative to their mean size.</source>
+        <translation>Jak jemně se zaokrouhlují podíly pohybů, vzhledem k jejich střední velikosti.</translation>
+    </message>
+    <message>
+        <source>Basis s&amp;tep:</source>
+        <translation>Krok báz&amp;e:</translation>
+    </message>
+    <message>
+        <source>Basis step</source>
+        <translation>Krok báze</translation>
+    </message>
+    <message>
+        <source>How finely the movements themselves are rounded.</source>
+        <translation>Jak jemně se zaokrouhlují samotné pohyby.</translation>
+    </message>
+    <message>
+        <source>&amp;Prediction:</source>
+        <translation>&amp;Předpověď:</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Předpověď</translation>
+    </message>
+    <message>
+        <source>What a vertex is expected to do: the better the guess, the smaller the file.</source>
+        <translation>Co se od vrcholu čeká: čím lepší odhad, tím menší soubor.</translation>
+    </message>
+    <message>
+        <source>Packin&amp;g:</source>
+        <translation>&amp;Balení:</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Balení</translation>
+    </message>
+    <message>
+        <source>How the differences from what was expected are packed.</source>
+        <translation>Jak se balí rozdíly od toho, co se čekalo.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Žádná</translation>
+    </message>
+    <message>
+        <source>A: stays where it was</source>
+        <translation>A: zůstane, kde byl</translation>
+    </message>
+    <message>
+        <source>B: goes on as it moved</source>
+        <translation>B: pokračuje, jak se pohyboval</translation>
+    </message>
+    <message>
+        <source>C: goes on as it accelerated</source>
+        <translation>C: pokračuje, jak zrychloval</translation>
+    </message>
+    <message>
+        <source>N: moves with its neighbours</source>
+        <translation>N: pohne se se sousedy</translation>
+    </message>
+    <message>
+        <source>Deflate</source>
+        <translation>Deflate</translation>
+    </message>
+    <message>
+        <source>Range coder</source>
+        <translation>Intervalový kodér</translation>
+    </message>
+    <message>
+        <source>prediction %1</source>
+        <translation>předpověď %1</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>krok %1</translation>
+    </message>
+    <message>
+        <source>basis step %1</source>
+        <translation>krok báze %1</translation>
+    </message>
+    <message>
+        <source>Keep the order of the &amp;vertices</source>
+        <translation>Zachovat pořadí &amp;vrcholů</translation>
+    </message>
+    <message>
+        <source>Without it the file is a little smaller, and vertices are numbered anew.</source>
+        <translation>Bez toho je soubor o něco menší a vrcholy se očíslují znovu.</translation>
+    </message>
 </context>
 <context>
     <name>views::ExportDialog</name>
@@ -2187,6 +2299,93 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
         <source>Keep Encoding</source>
         <translation>Pokračovat v kódování</translation>
     </message>
+    <message>
+        <source>Size and Error</source>
+        <translation>Velikost a chyba</translation>
+    </message>
+</context>
+<context>
+    <name>views::QualityPanel</name>
+    <message>
+        <source>Quality</source>
+        <translation>Kvalita</translation>
+    </message>
+    <message>
+        <source>Settings of the chosen codec are searched for that give this quality in the smallest file.</source>
+        <translation>Hledá se nastavení zvoleného kodeku, které dá tuto kvalitu v nejmenším souboru.</translation>
+    </message>
+    <message>
+        <source>KG error at most %1 %</source>
+        <translation>chyba KG nejvýše %1 %</translation>
+    </message>
+    <message>
+        <source>&amp;Quality:</source>
+        <translation>Kva&amp;lita:</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cíl</translation>
+    </message>
+    <message>
+        <source>KG error</source>
+        <translation>Chyba KG</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Největší chyba</translation>
+    </message>
+    <message>
+        <source>File size</source>
+        <translation>Velikost souboru</translation>
+    </message>
+    <message>
+        <source>F&amp;ind Settings</source>
+        <translation>&amp;Najít nastavení</translation>
+    </message>
+    <message>
+        <source>Search settings of the chosen codec that reach the target</source>
+        <translation>Hledat nastavení zvoleného kodeku, které cíle dosáhne</translation>
+    </message>
+    <message>
+        <source>&amp;At most:</source>
+        <translation>Nejv&amp;ýše:</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Zastavit</translation>
+    </message>
+    <message>
+        <source>Expected:</source>
+        <translation>Očekává se:</translation>
+    </message>
+    <message>
+        <source>% of the diagonal</source>
+        <translation>% úhlopříčky</translation>
+    </message>
+    <message>
+        <source>kB</source>
+        <translation>kB</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Zastaveno.</translation>
+    </message>
+    <message>
+        <source>%1
+%2, %3 bits per frame and vertex
+KG error %4</source>
+        <translation>%1
+%2, %3 bitů na snímek a vrchol
+chyba KG %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 bits per frame and vertex, KG error %3</source>
+        <translation>%1, %2 bitů na snímek a vrchol, chyba KG %3</translation>
+    </message>
+    <message>
+        <source>Trying… %1 %</source>
+        <translation>Zkouší se… %1 %</translation>
+    </message>
 </context>
 <context>
     <name>views::Quantities</name>
@@ -2201,6 +2400,25 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
     <message>
         <source>%1 h %2 min</source>
         <translation>%1 h %2 min</translation>
+    </message>
+</context>
+<context>
+    <name>views::RatePlot</name>
+    <message>
+        <source>Size and error of what was tried</source>
+        <translation>Velikost a chyba toho, co se zkoušelo</translation>
+    </message>
+    <message>
+        <source>What is tried appears here.</source>
+        <translation>Tady se objeví, co se zkusí.</translation>
+    </message>
+    <message>
+        <source>bits per frame and vertex</source>
+        <translation>bitů na snímek a vrchol</translation>
+    </message>
+    <message>
+        <source>KG error, %</source>
+        <translation>chyba KG, %</translation>
     </message>
 </context>
 <context>

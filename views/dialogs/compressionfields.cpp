@@ -6,6 +6,7 @@
 #include "views/dialogs/numberfield.h"
 #include "views/dialogs/quantitytext.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 
@@ -33,9 +34,17 @@ FieldTexts textsOf(CodecId codec, std::string_view key)
 {
     if (key == "basis")
         return {CompressionFields::tr("&Basis size:"), CompressionFields::tr("Basis size"),
-                CompressionFields::tr("more: larger and more exact"),
+                codec == CodecId::Reel ? CompressionFields::tr("0: as many as pay")
+                                       : CompressionFields::tr("more: larger and more exact"),
                 CompressionFields::tr("Number of movements that the animation is put together from.")};
-    if (key == "resolution" && codec == CodecId::Pca)
+    if (key == "resolution" && codec == CodecId::Direct)
+        return {CompressionFields::tr("&Resolution:"),
+                CompressionFields::tr("Resolution"),
+                CompressionFields::tr("cells along the longest side"),
+                CompressionFields::tr("No vertex is farther off than half the diagonal of a cell."),
+                0,
+                1000};
+    if (key == "resolution")
         return {CompressionFields::tr("&Resolution:"),
                 CompressionFields::tr("Resolution"),
                 CompressionFields::tr("steps per unit of length"),
@@ -43,7 +52,53 @@ FieldTexts textsOf(CodecId codec, std::string_view key)
                     "How finely numbers are rounded. Normalise, so that it means the same for every animation."),
                 3,
                 1000};
+    if (key == "step")
+        return {CompressionFields::tr("St&ep:"),
+                CompressionFields::tr("Step"),
+                CompressionFields::tr("less: larger and more exact"),
+                CompressionFields::tr("How finely the movements' shares are rounded, relative to their mean size."),
+                7,
+                0.001};
+    if (key == "basis-step")
+        return {CompressionFields::tr("Basis s&tep:"),
+                CompressionFields::tr("Basis step"),
+                CompressionFields::tr("less: larger and more exact"),
+                CompressionFields::tr("How finely the movements themselves are rounded."),
+                7,
+                0.001};
+    if (key == "predictor")
+        return {CompressionFields::tr("&Prediction:"),
+                CompressionFields::tr("Prediction"),
+                {},
+                CompressionFields::tr("What a vertex is expected to do: the better the guess, the smaller the file.")};
+    if (key == "entropy")
+        return {CompressionFields::tr("Packin&g:"),
+                CompressionFields::tr("Packing"),
+                {},
+                CompressionFields::tr("How the differences from what was expected are packed.")};
     return {};
+}
+
+QString choiceText(model::Predictor value)
+{
+    switch (value) {
+    case model::Predictor::None:
+        return CompressionFields::tr("None");
+    case model::Predictor::Still:
+        return CompressionFields::tr("A: stays where it was");
+    case model::Predictor::Steady:
+        return CompressionFields::tr("B: goes on as it moved");
+    case model::Predictor::Accelerating:
+        return CompressionFields::tr("C: goes on as it accelerated");
+    case model::Predictor::Neighbours:
+        return CompressionFields::tr("N: moves with its neighbours");
+    }
+    return {};
+}
+
+QString choiceText(model::Entropy value)
+{
+    return value == model::Entropy::Deflate ? CompressionFields::tr("Deflate") : CompressionFields::tr("Range coder");
 }
 
 } // namespace
@@ -65,6 +120,11 @@ CompressionFields::CompressionFields(QFormLayout &form, QObject *parent)
         mCodec->addItem(codecName(id), int(id));
         addRows(id);
     }
+    mKeepOrder = new QCheckBox(tr("Keep the order of the &vertices"), form.parentWidget());
+    mKeepOrder->setObjectName(QStringLiteral("keepOrder"));
+    mKeepOrder->setToolTip(tr("Without it the file is a little smaller, and vertices are numbered anew."));
+    mForm.addRow(QString(), mKeepOrder);
+    connect(mKeepOrder, &QCheckBox::toggled, this, &CompressionFields::changed);
     connect(mCodec, &QComboBox::currentIndexChanged, this, [this] {
         showFieldsOfCodec();
         emit changed();
@@ -89,8 +149,11 @@ void CompressionFields::addRows(CodecId codec)
         } else {
             row.choice = new QComboBox(parent);
             row.choice->setAccessibleName(texts.name);
+            // A dock is narrow: the longest text may be cut there, and is whole in the list.
+            row.choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+            row.choice->setMinimumContentsLength(10);
             for (int v = int(field.least); v <= int(field.most); ++v)
-                row.choice->addItem(QString::fromStdString(model::fieldText(Value(v))), v);
+                row.choice->addItem(choiceText(Value(v)), v);
             row.choice->setCurrentIndex(row.choice->findData(int(value)));
             connect(row.choice, &QComboBox::currentIndexChanged, this, &CompressionFields::changed);
         }
@@ -121,12 +184,13 @@ void CompressionFields::setSettings(const CompressionSettings &settings)
         else
             row->choice->setCurrentIndex(row->choice->findData(int(value)));
     });
+    mKeepOrder->setChecked(settings.keepOrder);
     showFieldsOfCodec();
 }
 
 CompressionSettings CompressionFields::settings() const
 {
-    CompressionSettings result{model::defaultSettings(codec())};
+    CompressionSettings result{model::defaultSettings(codec()), mKeepOrder->isChecked()};
     model::visitFields(result.method, [&](const auto &field, auto &value) {
         using Value = std::remove_cvref_t<decltype(value)>;
         const Row *row = rowOf(codec(), field.key);
@@ -195,6 +259,14 @@ QString CompressionFields::summary(const CompressionSettings &settings)
             parts << tr("basis %1").arg(shown);
         else if (field.key == "resolution")
             parts << tr("resolution %1").arg(shown);
+        else if (field.key == "predictor")
+            parts << tr("prediction %1").arg(shown);
+        else if (field.key == "entropy")
+            parts << shown;
+        else if (field.key == "step")
+            parts << tr("step %1").arg(shown);
+        else if (field.key == "basis-step")
+            parts << tr("basis step %1").arg(shown);
     });
     return parts.join(QStringLiteral(", "));
 }
@@ -208,6 +280,7 @@ void CompressionFields::showFieldsOfCodec()
 {
     for (const Row &row : mRows)
         mForm.setRowVisible(row.widget(), row.codec == codec());
+    mForm.setRowVisible(mKeepOrder, !model::keepsOrderAnyway(codec()));
 }
 
 } // namespace views

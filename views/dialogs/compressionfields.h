@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 
@@ -67,6 +68,7 @@ private:
 
     QFormLayout &mForm;
     QComboBox *mCodec;
+    QCheckBox *mKeepOrder;
     std::vector<Row> mRows;
 };
 

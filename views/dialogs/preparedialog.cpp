@@ -10,6 +10,7 @@
 #include "views/dialogs/normalisationchoice.h"
 #include "views/dialogs/numberfield.h"
 #include "views/dialogs/pathfield.h"
+#include "views/dialogs/qualitypanel.h"
 #include "views/dialogs/quantitytext.h"
 #include "views/dialogs/triespanel.h"
 
@@ -68,6 +69,10 @@ PrepareDialog::PrepareDialog(QWidget *parent)
     middle->addWidget(mSettingsPart, 2);
     middle->addWidget(makeFoundPart(), 3);
     column->addLayout(middle, 3);
+    auto *qualityPart = new QGroupBox(tr("Size and Error"), this);
+    mQuality = new QualityPanel(qualityPart);
+    (new QVBoxLayout(qualityPart))->addWidget(mQuality);
+    column->addWidget(qualityPart, 2);
     mTriesPart = new QGroupBox(tr("Results"), this);
     mTries = new TriesPanel(mTriesPart);
     (new QVBoxLayout(mTriesPart))->addWidget(mTries);
@@ -79,18 +84,25 @@ PrepareDialog::PrepareDialog(QWidget *parent)
     mReadDelay.setInterval(ReadDelayMilliseconds);
     connect(&mReadDelay, &QTimer::timeout, this, &PrepareDialog::readSourceNow);
     connect(&mReading, &Job::progressed, this, [this] { showReading(mReading.isRunning()); });
+    connect(mQuality, &QualityPanel::settingsFound, this, [this](const model::CompressionSettings &settings) {
+        const QSignalBlocker blocker(mCompression);
+        mCompression->setSettings(settings);
+        showResolutionMeaning();
+        updateEncodeButton();
+    });
     connect(mTries, &TriesPanel::openRequested, this, &PrepareDialog::openRequested);
     connect(mTries, &TriesPanel::encodeAgainRequested, this, &PrepareDialog::encodeAgain);
     connect(&mEncoding, &Job::runningChanged, this, [this](bool running) {
         mSource->setEnabled(!running);
         mSettingsPart->setEnabled(!running);
         mOutput->setEnabled(!running);
+        mQuality->setEnabled(!running);
         updateEncodeButton();
     });
 
     restoreSettings();
     sourceEdited();
-    resize(1040, 560);
+    resize(1040, 760);
     mSource->setFocus();
 }
 
@@ -165,9 +177,13 @@ QWidget *PrepareDialog::makeSettingsPart()
     mCompression = new CompressionFields(*form, this);
 
     connect(mFrameRate, &NumberField::changed, this, &PrepareDialog::updateEncodeButton);
-    connect(mNormalisation, &QComboBox::currentIndexChanged, this, &PrepareDialog::showResolutionMeaning);
+    connect(mNormalisation, &QComboBox::currentIndexChanged, this, [this] {
+        showResolutionMeaning();
+        mQuality->setAnimation(mFound ? mFound->frames : nullptr, mNormalisation->mode());
+    });
     connect(mCompression, &CompressionFields::changed, this, [this] {
         showResolutionMeaning();
+        tellQuality();
         updateEncodeButton();
     });
     return part;
@@ -287,6 +303,7 @@ void PrepareDialog::sourceEdited()
     // What is shown must never be of another source than the one in the field.
     mReading.cancel();
     mFound.reset();
+    mQuality->setAnimation(nullptr, mNormalisation->mode());
     for (QLabel *fact : mFacts)
         fact->setText(QStringLiteral("–"));
     mPreview->clear(tr("The first frame is shown here."));
@@ -378,6 +395,8 @@ void PrepareDialog::showFound(model::Result<FoundSource> result)
         tr("All frames together, from %1 to %2").arg(point(mFound->box.min), point(mFound->box.max)));
     mFacts[RawSize]->setText(bytesText(mFound->rawBytes()));
     mPreview->setFrames(mFound->frames, mFound->box);
+    tellQuality();
+    mQuality->setAnimation(mFound->frames, mNormalisation->mode());
 
     // Proposals give way to the next source's, unless the user wrote something else.
     if (mName->text() == mProposedName)
@@ -411,6 +430,11 @@ void PrepareDialog::showResolutionMeaning()
     field.setHint(resolution && longest > 0
                       ? tr("one step: %1 % of the longest side").arg(significantText(100 / *resolution / longest))
                       : tr("steps per unit of length"));
+}
+
+void PrepareDialog::tellQuality()
+{
+    mQuality->setSettings(mCompression->problem().isEmpty() ? std::optional(mCompression->settings()) : std::nullopt);
 }
 
 QString PrepareDialog::problem() const
@@ -468,6 +492,7 @@ void PrepareDialog::encode()
     if (!problem().isEmpty() || isEncoding() || !mayOverwrite(output))
         return;
     saveSettings();
+    mQuality->stop();
     const EncodingOrder order{mFound->frames, mNormalisation->mode(),   *mFrameRate->value(),
                               mName->text(),  mCompression->settings(), output};
     mEncoding.start([order](const model::Progress &progress) { return encodeToFile(order, progress); },
@@ -484,6 +509,7 @@ void PrepareDialog::showEncoded(model::Result<EncodingReport> result)
             resize(width(), qMin(room, qMax(height(), sizeHint().height())));
         }
         mTries->add(*result);
+        mQuality->addTrial({result->order.settings.method, result->fileBytes, result->errors.kgErrorPercent});
         updateEncodeButton();
         return;
     }

@@ -26,6 +26,7 @@ class JobPanel;
 class NormalisationChoice;
 class NumberField;
 class PathField;
+class QualityPanel;
 class TriesPanel;
 
 /// Prepare Animation: from a folder of meshes, a point cache or a scene to an `.anim`. Not modal; reads and encodes in
@@ -67,6 +68,7 @@ private:
     void showReading(bool running);
     void proposeOutput();
     void showResolutionMeaning();
+    void tellQuality();
 
     QString outputPath() const;
     QString problem() const;
@@ -100,6 +102,7 @@ private:
     HintLabel *mOutputHint;
     QWidget *mSettingsPart;
 
+    QualityPanel *mQuality;
     QGroupBox *mTriesPart;
     TriesPanel *mTries;
     HintLabel *mMessage;
