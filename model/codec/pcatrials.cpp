@@ -2,6 +2,7 @@
 #include "model/codec/indexstage.h"
 #include "model/codec/pcacodec.h"
 
+#include <charconv>
 #include <cmath>
 #include <numeric>
 
@@ -20,8 +21,10 @@ constexpr double FinestSteps = 3e6;
 /// Rounded to four significant digits: a number that people can read, and type again.
 double fourDigits(double value)
 {
-    const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
-    return std::round(value / unit) * unit;
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 4).ptr;
+    std::from_chars(text, end, value);
+    return value;
 }
 
 class PcaTrials final : public TrialEncoder

@@ -6,6 +6,7 @@
 #include "views/dialogs/numberfield.h"
 #include "views/dialogs/quantitytext.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
@@ -149,6 +150,7 @@ void CompressionFields::addRows(CodecId codec)
         } else {
             row.choice = new QComboBox(parent);
             row.choice->setAccessibleName(texts.name);
+            row.choice->view()->setAccessibleName(texts.name);
             // A dock is narrow: the longest text may be cut there, and is whole in the list.
             row.choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
             row.choice->setMinimumContentsLength(10);

@@ -26,8 +26,18 @@ namespace {
 // Long enough not to begin at every step of a drag or letter of a number, short enough to feel at once.
 constexpr int DelayMilliseconds = 350;
 constexpr int SliderSteps = 100;
+// Trials are shown whose error is at most so many times larger or smaller than what a search found.
+constexpr double Nearby = 4;
 
 enum Target { KgError, VertexError, FileSize };
+
+/// A row of several fields; the label leads to `buddy`, which a form only does for a single field.
+void addRow(QFormLayout &form, const QString &text, QLayout *fields, QWidget *buddy)
+{
+    auto *label = new QLabel(text, form.parentWidget());
+    label->setBuddy(buddy);
+    form.addRow(label, fields);
+}
 
 double qualityOf(int sliderValue)
 {
@@ -63,6 +73,7 @@ QualityPanel::QualityPanel(QWidget *parent)
         const codec::Trial &trial = mTrials[std::size_t(index)];
         mSettings = CompressionSettings{trial.settings, mSettings && mSettings->keepOrder};
         showExpected(trial);
+        moveSliderTo(trial);
         mPlot->setCurrent(index);
         emit settingsFound(*mSettings);
     });
@@ -90,7 +101,7 @@ QWidget *QualityPanel::makeControls()
     auto *sliderRow = new QHBoxLayout;
     sliderRow->addWidget(mSlider, 1);
     sliderRow->addWidget(mSliderText);
-    form->addRow(tr("&Quality:"), sliderRow);
+    addRow(*form, tr("&Quality:"), sliderRow, mSlider);
 
     mTarget = new QComboBox(part);
     mTarget->setObjectName(QStringLiteral("target"));
@@ -108,7 +119,7 @@ QWidget *QualityPanel::makeControls()
     targetRow->addWidget(mTarget);
     targetRow->addWidget(mTargetValue, 1);
     targetRow->addWidget(mFind);
-    form->addRow(tr("&At most:"), targetRow);
+    addRow(*form, tr("&At most:"), targetRow, mTarget);
 
     mExpected = new HintLabel(part);
     mExpected->setObjectName(QStringLiteral("expected"));
@@ -241,14 +252,14 @@ void QualityPanel::startWork()
         [bench = mBench, settings = *mSettings, wish](const Progress &progress) {
             return wish ? bench->search(settings.codec(), *wish, progress) : bench->attempt(settings.method, progress);
         },
-        [this, bench = mBench, isSearch = wish.has_value()](Result<TrialOutcome> result) {
+        [this, bench = mBench, wish](Result<TrialOutcome> result) {
             if (bench == mBench)
-                showOutcome(result, isSearch);
+                showOutcome(result, wish);
         });
     showBusy();
 }
 
-void QualityPanel::showOutcome(const Result<TrialOutcome> &result, bool isSearch)
+void QualityPanel::showOutcome(const Result<TrialOutcome> &result, const std::optional<QualityTarget> &wish)
 {
     if (!result) {
         if (result.error().code == ErrorCode::Cancelled)
@@ -257,11 +268,17 @@ void QualityPanel::showOutcome(const Result<TrialOutcome> &result, bool isSearch
             mExpected->showRefusal(io::errorText(result.error()));
         return;
     }
+    // A search begins far off on both sides: that would only stretch the axes.
     for (const codec::Trial &trial : result->tried)
-        showPoint(trial);
+        if (trial.kgErrorPercent > result->found.kgErrorPercent / Nearby &&
+            trial.kgErrorPercent < result->found.kgErrorPercent * Nearby)
+            showPoint(trial);
     mPlot->setCurrent(showPoint(result->found));
     showExpected(result->found);
-    if (!isSearch)
+    // What was asked for by the slider stays there, though the result is a little better.
+    if (!wish || !std::holds_alternative<Quality>(*wish))
+        moveSliderTo(result->found);
+    if (!wish)
         return;
     mSettings = CompressionSettings{result->found.settings, mSettings && mSettings->keepOrder};
     emit settingsFound(*mSettings);
@@ -290,7 +307,11 @@ void QualityPanel::showExpected(const codec::Trial &trial)
     mExpected->showHint(tr("%1, %2 bits per frame and vertex, KG error %3")
                             .arg(bytesText(trial.bytes), numberText(mBench->bitsPerFrameAndVertex(trial.bytes), 3),
                                  percentText(trial.kgErrorPercent)));
-    // The slider follows what was set elsewhere.
+}
+
+/// The slider follows what was set elsewhere.
+void QualityPanel::moveSliderTo(const codec::Trial &trial)
+{
     if (mSlider->isSliderDown())
         return;
     const QSignalBlocker blocker(mSlider);

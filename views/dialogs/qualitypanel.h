@@ -56,9 +56,10 @@ private:
     void wishForTarget();
     void wishForSettings();
     void startWork();
-    void showOutcome(const model::Result<TrialOutcome> &result, bool isSearch);
+    void showOutcome(const model::Result<TrialOutcome> &result, const std::optional<model::QualityTarget> &wish);
     int showPoint(const model::codec::Trial &trial);
     void showExpected(const model::codec::Trial &trial);
+    void moveSliderTo(const model::codec::Trial &trial);
     void showBusy();
     void updateTargetField();
     std::optional<model::QualityTarget> expertTarget() const;

@@ -114,7 +114,7 @@ RatePlot::Axis RatePlot::axisOf(double RatePoint::*value, double least, double m
 QRectF RatePlot::plotArea() const
 {
     const QFontMetrics metrics = fontMetrics();
-    const int left = metrics.height() + Gap + metrics.horizontalAdvance(QStringLiteral("0.005")) + Gap;
+    const int left = metrics.height() + Gap + metrics.horizontalAdvance(QStringLiteral("0.00005")) + Gap;
     const int bottom = 2 * metrics.height() + Gap;
     return QRectF(rect()).adjusted(left, metrics.height() / 2 + 2, -metrics.horizontalAdvance(u'0') * 2, -bottom);
 }
@@ -209,7 +209,10 @@ void RatePlot::paintPoints(QPainter &painter) const
         const bool isMarked = i == mCurrent || i == mHovered;
         const QColor color = colorOf(mPoints[std::size_t(i)].series);
         painter.setPen(QPen(isMarked ? palette().color(QPalette::Text) : color, isMarked ? 2 : 1));
-        painter.setBrush(color);
+        // A search leaves many points: where they crowd, the colour grows.
+        QColor fill = color;
+        fill.setAlphaF(isMarked ? 1.0f : 0.35f);
+        painter.setBrush(fill);
         const double radius = i == mCurrent ? PointRadius + 2 : PointRadius;
         painter.drawEllipse(placeOf(i), radius, radius);
     }

@@ -210,9 +210,12 @@ private slots:
 
     void closingInTheMiddleIsSafe()
     {
+        const QString path = source();
         for (int i = 0; i < 3; ++i) {
             PrepareDialog dialog;
-            openOn(dialog);
+            tests::open(dialog);
+            dialog.setSource(path);
+            QTRY_VERIFY_WITH_TIMEOUT(tests::find<QSlider>(dialog, "quality")->isEnabled(), 60'000);
             tests::find<QSlider>(dialog, "quality")->setValue(90 - i);
             QTest::qWait(200 * i);
         }
