@@ -60,6 +60,9 @@ StartOptions parseCommandLine(const QStringList &arguments)
         QStringLiteral("size"), CommandLine::tr("Size of the window, for example 1280x800."), QStringLiteral("WxH"));
     const QCommandLineOption frameOption(QStringLiteral("frame"), CommandLine::tr("Go to this frame; the first is 1."),
                                          QStringLiteral("N"));
+    const QCommandLineOption compareOption(QStringLiteral("compare"),
+                                           CommandLine::tr("Show what the last animation lost of this original."),
+                                           QStringLiteral("PATH"));
     const QCommandLineOption playOption(QStringLiteral("play"), CommandLine::tr("Start playing."));
     const QCommandLineOption screenshotOption(QStringLiteral("screenshot"),
                                               CommandLine::tr("Write a picture of the window to FILE and quit."),
@@ -67,8 +70,8 @@ StartOptions parseCommandLine(const QStringList &arguments)
     const QCommandLineOption afterOption(QStringLiteral("after"),
                                          CommandLine::tr("Wait this many milliseconds after everything is open."),
                                          QStringLiteral("MS"));
-    parser.addOptions(
-        {languageOption, themeOption, sizeOption, frameOption, playOption, screenshotOption, afterOption});
+    parser.addOptions({languageOption, themeOption, sizeOption, frameOption, compareOption, playOption,
+                       screenshotOption, afterOption});
     parser.addPositionalArgument(
         QStringLiteral("files"),
         CommandLine::tr("Animations to open; folders, point caches, scenes and meshes to prepare."),
@@ -111,6 +114,8 @@ StartOptions parseCommandLine(const QStringList &arguments)
             return refuseValue(afterOption);
         options.screenshotDelay = *delay;
     }
+    if (parser.isSet(compareOption))
+        options.original = QFileInfo(parser.value(compareOption)).absoluteFilePath();
     options.play = parser.isSet(playOption);
     options.screenshot = parser.value(screenshotOption);
     const QStringList paths = parser.positionalArguments();

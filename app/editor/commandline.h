@@ -19,6 +19,7 @@ struct StartOptions
     std::optional<Theme> theme;
     std::optional<QSize> size;
     std::optional<int> frame; ///< counted from 1, as everywhere in the interface
+    QString original;         ///< to compare the last of `paths` with; absolute, empty: none
     bool play = false;
     QString screenshot; ///< empty: none
     int screenshotDelay = 1500;

@@ -6,6 +6,7 @@
 #include "model/document/animationdocument.h"
 #include "views/docks/filefacts.h"
 #include "views/jobs/job.h"
+#include "views/scene/comparison.h"
 #include "views/scene/player.h"
 
 #include <QObject>
@@ -54,6 +55,8 @@ public:
     /// Null until it is open; another one after a reload.
     commands::EditContext *context() const { return mContext.get(); }
     views::Player &player() { return mPlayer; }
+    /// What it lost of its original; not saved.
+    views::Comparison &comparison() { return mComparison; }
     /// Of the file as it was last read or written.
     const std::optional<views::FileFacts> &fileFacts() const { return mFacts; }
 
@@ -94,6 +97,7 @@ private:
     std::optional<Content> mSavedContent;
     bool mWasModified = false;
     views::Player mPlayer;
+    views::Comparison mComparison{mPlayer};
     // Last: destroyed first, so that no result comes to what is half gone.
     views::Job mOpening;
     views::Job mSaving;

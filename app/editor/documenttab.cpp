@@ -68,10 +68,12 @@ void DocumentTab::showDocument()
 {
     if (mPages->count() == 1) {
         QWidget *page = nullptr;
-        if (mCanDraw)
+        if (mCanDraw) {
             page = mViewport = new views::AnimationViewport(mDocument.player(), this);
-        else
+            mViewport->setComparison(&mDocument.comparison());
+        } else {
             page = new views::NoGlView(mDocument.player(), this);
+        }
         mPages->addWidget(page);
         retranslate();
     }

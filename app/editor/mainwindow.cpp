@@ -37,6 +37,7 @@ MainWindow::MainWindow(Language &language)
     , mEdits(mActions, *mWorkspace, *this)
     , mExports(mActions, *mWorkspace, mSettings, *this)
     , mViews(mActions, *mWorkspace, mSettings, *this)
+    , mCompares(mActions, *mWorkspace, mSettings, mLog, *this)
     , mHelp(mActions, mSettings, *this)
     , mMenus(*this, mActions, mSettings, mLanguage)
     , mStatus(*statusBar(), *mWorkspace)
@@ -111,6 +112,8 @@ void MainWindow::makeDocks()
     resizeDocks({mCompression, mHistory}, {300, 300}, Qt::Horizontal);
     resizeDocks({mCompression, mHistory}, {430, 220}, Qt::Vertical);
 
+    mTimeline->addErrorActions(
+        {&mActions[ActionId::ErrorColors], &mActions[ActionId::ErrorRange], &mActions[ActionId::StopComparing]});
     const QList<QAction *> playActions = mTimeline->actions();
     for (QAction *action : playActions) {
         mMenus.playMenu().addAction(action);
@@ -135,6 +138,7 @@ void MainWindow::followDocument()
     mHistory->setContext(context);
     mCompression->setDocument(context, tab ? tab->document().fileFacts() : std::nullopt);
     mTimeline->setPlayer(context ? &tab->document().player() : nullptr);
+    mTimeline->setComparison(context ? &tab->document().comparison() : nullptr);
     if (tab)
         connect(&tab->document(), &Document::aboutToBeReplaced, this, &MainWindow::letGo, Qt::UniqueConnection);
     showTitle();
@@ -148,6 +152,7 @@ void MainWindow::letGo()
     mHistory->setContext(nullptr);
     mCompression->setDocument(nullptr, std::nullopt);
     mTimeline->setPlayer(nullptr);
+    mTimeline->setComparison(nullptr);
 }
 
 void MainWindow::showTitle()

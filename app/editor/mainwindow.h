@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/editor/actions.h"
+#include "app/editor/compareactions.h"
 #include "app/editor/droptarget.h"
 #include "app/editor/editactions.h"
 #include "app/editor/exportactions.h"
@@ -69,6 +70,7 @@ private:
     EditActions mEdits;
     ExportActions mExports;
     ViewActions mViews;
+    CompareActions mCompares;
     HelpActions mHelp;
     Menus mMenus;
     StatusPanel mStatus;

@@ -96,6 +96,9 @@ void Menus::fillView()
     menu->addAction(&mActions[ActionId::Fit]);
     menu->addAction(&mActions[ActionId::Statistics]);
     menu->addSeparator();
+    for (const ActionId id : {ActionId::Compare, ActionId::ErrorColors, ActionId::ErrorRange, ActionId::StopComparing})
+        menu->addAction(&mActions[id]);
+    menu->addSeparator();
     mDocks = addMenu(menu, QT_TRANSLATE_NOOP("Actions", "&Docks"));
     mToolBars = addMenu(menu, QT_TRANSLATE_NOOP("Actions", "&Toolbars"));
     menu->addAction(&mActions[ActionId::FullScreen]);

@@ -3,13 +3,16 @@
 
 #include "app/editor/documenttab.h"
 #include "app/editor/mainwindow.h"
+#include "views/dialogs/comparedialog.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QPixmap>
 #include <QScreen>
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace editor {
 
@@ -26,7 +29,7 @@ StartTask::StartTask(MainWindow &window, StartOptions options)
 {
     mPolling.setInterval(PollMilliseconds);
     connect(&mPolling, &QTimer::timeout, this, &StartTask::proceed);
-    if (mOptions.frame || mOptions.play || !mOptions.screenshot.isEmpty())
+    if (mOptions.frame || mOptions.play || !mOptions.original.isEmpty() || !mOptions.screenshot.isEmpty())
         mPolling.start();
 }
 
@@ -35,6 +38,14 @@ void StartTask::proceed()
     const auto tabs = mWindow.workspace().tabs();
     if (std::any_of(tabs.begin(), tabs.end(), [](DocumentTab *tab) { return tab->document().isOpening(); }))
         return;
+    if (DocumentTab *tab = mWindow.workspace().current(); tab && tab->document().isOpen()) {
+        views::Comparison &comparison = tab->document().comparison();
+        if (!mOptions.original.isEmpty() && !std::exchange(mIsComparing, true))
+            comparison.start(QFileInfo(mOptions.original).fileName(),
+                             views::originalReader(mOptions.original, model::Normalisation::None));
+        if (comparison.isReading() || comparison.isMeasuring())
+            return;
+    }
     mPolling.stop();
     if (DocumentTab *tab = mWindow.workspace().current()) {
         if (mOptions.frame)

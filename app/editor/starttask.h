@@ -10,8 +10,8 @@ namespace editor {
 
 class MainWindow;
 
-/// What the command line wants once everything is open: a frame, play, a picture of the window (after which the program
-/// ends: 0 if the picture was written, else 4).
+/// What the command line wants once everything is open: a comparison, a frame, play, a picture of the window (after
+/// which the program ends: 0 if the picture was written, else 4).
 class StartTask final : public QObject
 {
     Q_OBJECT
@@ -26,6 +26,7 @@ private:
     MainWindow &mWindow;
     const StartOptions mOptions;
     QTimer mPolling;
+    bool mIsComparing = false; ///< begun
 };
 
 } // namespace editor

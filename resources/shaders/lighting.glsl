@@ -34,6 +34,16 @@ vec3 lit(vec3 albedo, vec3 normal, vec3 toViewer, vec3 up)
     return color;
 }
 
+uniform float uErrorRange;     // the error that has the last colour; 0: surfaces have their own colour
+uniform vec3 uErrorColors[9];  // linear, from no error to the largest
+
+vec3 errorColor(float error)
+{
+    float place = clamp(error / uErrorRange, 0.0, 1.0) * 8.0;
+    int below = min(int(place), 7);
+    return mix(uErrorColors[below], uErrorColors[below + 1], place - float(below));
+}
+
 vec3 toSrgb(vec3 color)
 {
     vec3 low = color * 12.92;

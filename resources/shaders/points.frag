@@ -4,6 +4,7 @@ uniform vec3 uSurface;  // linear
 uniform vec3 uBackSide; // linear
 in vec3 vNormal;
 in vec3 vPosition;
+in float vError;
 out vec4 oColor;
 
 void main()
@@ -14,7 +15,10 @@ void main()
     vec3 toViewer = normalize(-vPosition);
     vec3 normal = normalize(vNormal);
     bool isFront = dot(normal, toViewer) >= 0.0;
-    vec3 color = lit(isFront ? uSurface : uBackSide, isFront ? normal : -normal, toViewer,
+    vec3 surface = isFront ? uSurface : uBackSide;
+    if (uErrorRange > 0.0)
+        surface = errorColor(vError);
+    vec3 color = lit(surface, isFront ? normal : -normal, toViewer,
                      mat3(uView) * vec3(0.0, 1.0, 0.0));
     oColor = encoded(isFront ? color : color * 0.45);
 }

@@ -4,6 +4,7 @@ uniform vec3 uSurface;  // linear
 uniform vec3 uBackSide; // linear
 in vec3 vNormal;
 in vec3 vPosition;
+in float vError;
 out vec4 oColor;
 
 #ifdef EDGES
@@ -29,13 +30,16 @@ void main()
 {
 #ifdef WIRE
     float coverage = edgeCoverage() * uEdge.a * (gl_FrontFacing ? 1.0 : 0.4);
-    oColor = vec4(encoded(uEdge.rgb).rgb, coverage);
+    oColor = vec4(encoded(uErrorRange > 0.0 ? errorColor(vError) : uEdge.rgb).rgb, coverage);
 #else
     vec3 toViewer = normalize(-vPosition);
     vec3 normal = normalize(vNormal);
     if (!gl_FrontFacing)
         normal = -normal;
-    vec3 color = lit(gl_FrontFacing ? uSurface : uBackSide, normal, toViewer, mat3(uView) * vec3(0.0, 1.0, 0.0));
+    vec3 surface = gl_FrontFacing ? uSurface : uBackSide;
+    if (uErrorRange > 0.0)
+        surface = errorColor(vError);
+    vec3 color = lit(surface, normal, toViewer, mat3(uView) * vec3(0.0, 1.0, 0.0));
 #ifdef EDGES
     color = mix(color, uEdge.rgb, edgeCoverage() * uEdge.a);
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/docks/timelinedock.h"
 
+#include "views/docks/errorpanel.h"
 #include "views/widgets/flowlayout.h"
 #include "views/widgets/icons.h"
 #include "views/widgets/timelineslider.h"
@@ -144,6 +145,8 @@ void TimelineDock::makeActions()
     connect(addAction("rangeEnd", "range-end", {Qt::Key_O}), &QAction::triggered, this, [this] { setRangeEnd(false); });
     onTrigger(addAction("rangeReset", "range-reset", {Qt::SHIFT | Qt::Key_I}),
               [](Player &player) { player.setRange(0, player.playback().frameCount() - 1); });
+    connect(addAction("worstFrame", "worst-frame", {Qt::Key_W}), &QAction::triggered, this,
+            [this] { mErrors->goToWorstFrame(); });
     QAction *const everyFrame = addAction("everyFrame", "every-frame", {Qt::Key_E}, true);
     onTrigger(everyFrame, [everyFrame](Player &player) {
         player.setPacing(everyFrame->isChecked() ? model::Pacing::EveryFrame : model::Pacing::RealTime);
@@ -200,6 +203,10 @@ void TimelineDock::makeWidgets()
             mPlayer->setRange(first - 1, last - 1);
     });
 
+    mErrors = new ErrorPanel(*mSlider);
+    mErrors->addAction(action(QStringLiteral("worstFrame")));
+    connect(mErrors, &ErrorPanel::stateChanged, this, &TimelineDock::setEnabledState);
+
     mFrame = new QSpinBox;
     mFrame->setObjectName(QStringLiteral("frame"));
     mFrame->setKeyboardTracking(false);
@@ -252,6 +259,7 @@ void TimelineDock::makeWidgets()
     auto *layout = new QVBoxLayout(content);
     layout->setContentsMargins(8, 4, 8, 6);
     layout->setSpacing(4);
+    layout->addWidget(mErrors);
     layout->addWidget(mSlider);
     layout->addWidget(controls);
     layout->addStretch();
@@ -277,6 +285,7 @@ void TimelineDock::retranslate()
         {"rangeStart", tr("Start Loop &Here")},
         {"rangeEnd", tr("&End Loop Here")},
         {"rangeReset", tr("Loop &All Frames")},
+        {"worstFrame", tr("Go to &Worst Frame")},
         {"everyFrame", tr("Show Ever&y Frame")},
     };
     for (const auto &[name, text] : texts)
@@ -296,6 +305,7 @@ void TimelineDock::retranslate()
     mPacing->setAccessibleName(tr("Pacing"));
     mPacing->setToolTip(
         tr("Real Time drops frames where drawing is too slow; Every Frame shows each and takes longer"));
+    mErrors->retranslate();
     showState();
 }
 
@@ -320,12 +330,24 @@ void TimelineDock::setPlayer(Player *player)
     showState();
 }
 
+void TimelineDock::setComparison(Comparison *comparison)
+{
+    mErrors->setComparison(comparison, mPlayer);
+}
+
+void TimelineDock::addErrorActions(const QList<QAction *> &actions)
+{
+    for (QAction *each : actions)
+        mErrors->addAction(each);
+}
+
 void TimelineDock::setEnabledState()
 {
     const bool isEnabled = mPlayer && mPlayer->source();
     widget()->setEnabled(isEnabled);
     for (QAction *each : actions())
         each->setEnabled(isEnabled);
+    action(QStringLiteral("worstFrame"))->setEnabled(isEnabled && mErrors->hasErrors());
 }
 
 void TimelineDock::showState()

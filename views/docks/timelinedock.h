@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "views/scene/comparison.h"
 #include "views/scene/player.h"
 
 #include <QDockWidget>
@@ -15,6 +16,7 @@ class QSpinBox;
 
 namespace views {
 
+class ErrorPanel;
 class TimelineSlider;
 
 /// The controls of a player: transport, ruler, loop range, rate. Frames are numbered from 1 for people.
@@ -31,6 +33,10 @@ public:
     /// The player to control; null disables everything. A player that goes away is let go of.
     void setPlayer(Player *player);
     Player *player() const { return mPlayer; }
+    /// What the frames lost of their original, plotted above the ruler; null: nothing. It measures player()'s frames.
+    void setComparison(Comparison *comparison);
+    /// As buttons beside the plot.
+    void addErrorActions(const QList<QAction *> &actions);
 
     /// Null if there is no such name.
     QAction *action(const QString &name) const;
@@ -51,6 +57,7 @@ private:
     void setRangeEnd(bool isFirst);
 
     QPointer<Player> mPlayer;
+    ErrorPanel *mErrors = nullptr;
     TimelineSlider *mSlider = nullptr;
     QSpinBox *mFrame = nullptr;
     QLabel *mTime = nullptr;

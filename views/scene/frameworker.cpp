@@ -32,6 +32,7 @@ private:
     {
         std::unique_ptr<FrameData> owned(data);
         owned->source.reset();
+        owned->original.reset();
         const std::lock_guard lock(mMutex);
         if (mFree.size() < Capacity)
             mFree.push_back(std::move(owned));
@@ -57,16 +58,16 @@ FrameWorker::~FrameWorker()
     mThread.join();
 }
 
-void FrameWorker::request(model::FrameSourcePtr source, std::uint32_t frame, FramePurpose purpose)
+void FrameWorker::request(model::FrameSourcePtr source, OriginalPtr original, std::uint32_t frame, FramePurpose purpose)
 {
     {
         const std::lock_guard lock(mMutex);
         mRequest.reset();
-        if (mInWork && mInWork->source == source && mInWork->frame == frame) {
+        if (mInWork && mInWork->source == source && mInWork->original == original && mInWork->frame == frame) {
             mInWork->purpose = purpose;
             return;
         }
-        mRequest = Request{std::move(source), frame, purpose};
+        mRequest = Request{std::move(source), std::move(original), frame, purpose};
     }
     mWake.notify_one();
 }
@@ -90,7 +91,7 @@ void FrameWorker::run()
             mInWork = request;
         }
         std::shared_ptr<FrameData> data = mPool->take();
-        makeFrame(request.source, request.frame, *data);
+        makeFrame(request.source, request.frame, *data, request.original);
         {
             const std::lock_guard lock(mMutex);
             request.purpose = std::exchange(mInWork, std::nullopt)->purpose;

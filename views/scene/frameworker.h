@@ -30,7 +30,7 @@ public:
 
     /// Replaces what was asked for and is not begun; a frame that is just being made is not made twice. Precondition:
     /// frame < source->frameCount().
-    void request(model::FrameSourcePtr source, std::uint32_t frame, FramePurpose purpose);
+    void request(model::FrameSourcePtr source, OriginalPtr original, std::uint32_t frame, FramePurpose purpose);
     /// Forgets what was asked for and is not begun.
     void cancel();
 
@@ -38,6 +38,7 @@ private:
     struct Request
     {
         model::FrameSourcePtr source;
+        OriginalPtr original;
         std::uint32_t frame = 0;
         FramePurpose purpose = FramePurpose::Wanted;
     };

@@ -40,6 +40,7 @@ void Player::setSource(model::FrameSourcePtr source)
     if (source == mSource)
         return;
     const model::FrameSourcePtr before = std::exchange(mSource, std::move(source));
+    mOriginal.reset();
     mAhead.reset();
     mAheadUse = Ahead::Drop;
     mWorker->cancel();
@@ -53,6 +54,21 @@ void Player::setSource(model::FrameSourcePtr source)
             mPlayback.setFramesPerSecond(mSource->frameRate());
     });
     emit sourceChanged();
+}
+
+void Player::setOriginal(OriginalPtr original)
+{
+    if (original == mOriginal)
+        return;
+    mOriginal = std::move(original);
+    mAhead.reset();
+    mAheadUse = Ahead::Drop;
+    requestFrame();
+}
+
+bool Player::isFor(const FrameDataPtr &data, std::uint32_t frame) const
+{
+    return data && data->source == mSource && data->original == mOriginal && data->frame == frame;
 }
 
 template <class Change>
@@ -213,18 +229,15 @@ void Player::requestFrame()
 {
     if (!mSource)
         return;
-    const auto isWanted = [this](const FrameDataPtr &data) {
-        return data && data->source == mSource && data->frame == mPlayback.frame();
-    };
-    if (isWanted(mCurrent)) {
+    if (isFor(mCurrent, mPlayback.frame())) {
         mWorker->cancel();
         mAwaitingShown = false;
         requestAhead();
-    } else if (isWanted(mAhead)) {
+    } else if (isFor(mAhead, mPlayback.frame())) {
         mWorker->cancel();
         show(std::exchange(mAhead, nullptr));
     } else {
-        mWorker->request(mSource, mPlayback.frame(), FramePurpose::Wanted);
+        mWorker->request(mSource, mOriginal, mPlayback.frame(), FramePurpose::Wanted);
     }
 }
 
@@ -236,12 +249,11 @@ void Player::requestAhead()
     if (mPlayback.pacing() == model::Pacing::RealTime) // slower than real time: aim at what is due when it is made
         steps = std::uint64_t(std::ceil(mCurrent->computeMilliseconds * 1e-3 * mPlayback.framesPerSecond()));
     const std::uint32_t frame = mPlayback.frameAfter(std::max<std::uint64_t>(steps, 1));
-    const bool isThere = mAhead && mAhead->source == mSource && mAhead->frame == frame;
-    if (isThere || frame == mPlayback.frame())
+    if (isFor(mAhead, frame) || frame == mPlayback.frame())
         return;
     mAheadUse = Ahead::Keep;
     mAheadFrame = frame;
-    mWorker->request(mSource, frame, FramePurpose::Ahead);
+    mWorker->request(mSource, mOriginal, frame, FramePurpose::Ahead);
 }
 
 void Player::noteOvertaking(const model::Playback &before)
@@ -258,7 +270,7 @@ void Player::noteOvertaking(const model::Playback &before)
 
 void Player::receive(const FrameDataPtr &frame, FramePurpose purpose)
 {
-    if (frame->source != mSource)
+    if (frame->source != mSource || frame->original != mOriginal)
         return;
     const bool isDue = frame->frame == mPlayback.frame();
     // A frame that comes late is better than a picture that stands, if it is nearer to the one wanted than that

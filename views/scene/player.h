@@ -30,6 +30,11 @@ public:
     void setSource(model::FrameSourcePtr source);
     const model::FrameSourcePtr &source() const { return mSource; }
 
+    /// What the frames are compared with from now on; null: with nothing. Forgotten when another source is set.
+    /// Precondition: as many frames and vertices as source().
+    void setOriginal(OriginalPtr original);
+    const OriginalPtr &original() const { return mOriginal; }
+
     const model::Playback &playback() const { return mPlayback; }
     /// The newest frame that is ready to be drawn; null before the first. For a moment after setSource() still one of
     /// the source before.
@@ -76,7 +81,11 @@ private:
     template <class Change>
     void update(Change change);
 
+    /// `data` is what is to be drawn for the frame.
+    bool isFor(const FrameDataPtr &data, std::uint32_t frame) const;
+
     model::FrameSourcePtr mSource;
+    OriginalPtr mOriginal;
     model::Playback mPlayback;
     FrameDataPtr mCurrent;
     FrameDataPtr mAhead; ///< made before it is due

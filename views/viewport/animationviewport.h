@@ -3,6 +3,7 @@
 
 #include "model/base/progress.h"
 #include "model/mesh/camera.h"
+#include "views/scene/comparison.h"
 #include "views/scene/player.h"
 #include "views/viewport/overlay.h"
 #include "views/viewport/scenerenderer.h"
@@ -10,6 +11,7 @@
 #include <QFutureWatcher>
 #include <QImage>
 #include <QOpenGLWidget>
+#include <QPointer>
 
 #include <deque>
 #include <optional>
@@ -39,6 +41,17 @@ public:
     bool isStatisticsVisible() const { return mStatisticsVisible; }
     void setGridVisible(bool visible);
     bool isGridVisible() const { return mStyle.hasGrid; }
+
+    /// Where the errors come from; null: nothing to colour by.
+    void setComparison(const Comparison *comparison);
+    /// Colours the mesh by the error of each vertex, as long as there is a comparison.
+    void setErrorColored(bool colored);
+    bool isErrorColored() const { return mErrorColored; }
+    /// The colours reach to the largest error of the frame instead of that of all frames.
+    void setErrorRangeOfFrame(bool ofFrame);
+    bool isErrorRangeOfFrame() const { return mErrorRangeOfFrame; }
+    /// The error that has the last colour; 0 while the mesh is not coloured by errors.
+    float errorRange() const;
 
     const model::OrbitCamera &camera() const { return mCamera; }
     void setCamera(const model::OrbitCamera &camera);
@@ -97,6 +110,9 @@ private:
     model::OrbitCamera mCamera;
     ViewStyle mStyle;
     bool mStatisticsVisible = true;
+    bool mErrorColored = false;
+    bool mErrorRangeOfFrame = false;
+    QPointer<const Comparison> mComparison;
 
     QOpenGLFunctions_3_3_Core *mGl = nullptr; ///< the context's
     std::unique_ptr<SceneRenderer> mRenderer;

@@ -9,6 +9,8 @@ namespace views {
 
 namespace {
 
+constexpr GLuint ErrorLocation = 2;
+
 /// A well mixed number for each vertex index. Source: the finalizer of MurmurHash3 (Appleby, public domain).
 std::uint32_t mixed(std::uint32_t x)
 {
@@ -44,6 +46,8 @@ MeshBuffers::MeshBuffers(QOpenGLFunctions_3_3_Core &gl)
             mGl.glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(model::Vec3f), nullptr);
             mGl.glEnableVertexAttribArray(location);
         }
+        mGl.glBindBuffer(GL_ARRAY_BUFFER, mBuffers[Errors]);
+        mGl.glVertexAttribPointer(ErrorLocation, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
     }
     mGl.glBindVertexArray(0);
 }
@@ -64,6 +68,9 @@ void MeshBuffers::upload(const FrameData &frame, const model::FrameSourcePtr &so
     }
     stream(Positions, frame.positions);
     stream(Normals, frame.normals);
+    mHasErrors = !frame.errors.empty();
+    if (mHasErrors)
+        stream(Errors, frame.errors);
 }
 
 void MeshBuffers::uploadConnectivity(const model::Connectivity &connectivity)
@@ -81,18 +88,28 @@ void MeshBuffers::uploadConnectivity(const model::Connectivity &connectivity)
                      GL_STATIC_DRAW);
 }
 
-void MeshBuffers::stream(Buffer buffer, const std::vector<model::Vec3f> &data)
+template <class T>
+void MeshBuffers::stream(Buffer buffer, const std::vector<T> &data)
 {
-    const auto bytes = GLsizeiptr(data.size() * sizeof(model::Vec3f));
+    const auto bytes = GLsizeiptr(data.size() * sizeof(T));
     mGl.glBindBuffer(GL_ARRAY_BUFFER, mBuffers[buffer]);
     // Fresh storage first: the driver need not wait until the last frame has been drawn from the old one.
     mGl.glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
     mGl.glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, data.data());
 }
 
+void MeshBuffers::bind(VertexArray array)
+{
+    mGl.glBindVertexArray(mArrays[array]);
+    if (mHasErrors)
+        mGl.glEnableVertexAttribArray(ErrorLocation);
+    else // nothing may be read from a buffer that was never filled
+        mGl.glDisableVertexAttribArray(ErrorLocation);
+}
+
 void MeshBuffers::drawTriangles()
 {
-    mGl.glBindVertexArray(mArrays[TriangleArray]);
+    bind(TriangleArray);
     mGl.glDrawElements(GL_TRIANGLES, GLsizei(mTriangleCount * 3), GL_UNSIGNED_INT, nullptr);
     mGl.glBindVertexArray(0);
 }
@@ -106,8 +123,11 @@ void MeshBuffers::drawCorners()
         Buffer buffer;
     } units[] = {{TriangleTexture, GL_R32UI, Triangles},
                  {PositionTexture, GL_R32F, Positions},
-                 {NormalTexture, GL_R32F, Normals}};
+                 {NormalTexture, GL_R32F, Normals},
+                 {ErrorTexture, GL_R32F, Errors}};
     for (const auto &[texture, format, buffer] : units) {
+        if (texture == ErrorTexture && !mHasErrors)
+            continue;
         mGl.glActiveTexture(GL_TEXTURE0 + GLenum(texture));
         mGl.glBindTexture(GL_TEXTURE_BUFFER, mTextures[texture]);
         mGl.glTexBuffer(GL_TEXTURE_BUFFER, format, mBuffers[buffer]);
@@ -124,7 +144,7 @@ void MeshBuffers::drawCorners()
 void MeshBuffers::drawPoints(double density)
 {
     const double count = std::ceil(std::clamp(density, 0.0, 1.0) * mVertexCount);
-    mGl.glBindVertexArray(mArrays[PointArray]);
+    bind(PointArray);
     mGl.glDrawElements(GL_POINTS, GLsizei(count), GL_UNSIGNED_INT, nullptr);
     mGl.glBindVertexArray(0);
 }

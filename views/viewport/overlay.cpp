@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/viewport/overlay.h"
 
+#include "views/viewport/errorcolors.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace views {
 
@@ -23,7 +26,73 @@ QString milliseconds(double value)
     return QLocale().toString(value, 'f', 1) + QStringLiteral(" ms");
 }
 
+/// What is written over the picture stands on this.
+void drawPanel(QPainter &painter, const QRect &panel, bool isDark)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isDark ? QColor(0, 0, 0, 110) : QColor(255, 255, 255, 170));
+    painter.drawRoundedRect(panel, 5, 5);
+}
+
+QColor inkOn(bool isDark)
+{
+    return isDark ? QColor(235, 238, 242) : QColor(30, 34, 40);
+}
+
 } // namespace
+
+void drawErrorLegend(QPainter &painter, const QRect &area, const ErrorLegend &legend, bool isDark)
+{
+    constexpr int BarWidth = 14, Ticks = 4, LargestBar = 240, LeastBar = 60;
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int lineHeight = metrics.height();
+    const QString title = Statistics::tr("Vertex error");
+    const QString unit = legend.diagonal > 0 ? Statistics::tr("% of diagonal") : Statistics::tr("length");
+    const QString scope = legend.isOfFrame ? Statistics::tr("this frame") : Statistics::tr("all frames");
+    const double largest = legend.diagonal > 0 ? 100 * legend.range / legend.diagonal : legend.range;
+    const bool isPlain = largest >= 1e-4 && largest < 1e5;
+    const int decimals = isPlain ? std::clamp(2 - int(std::floor(std::log10(largest))), 0, 6) : 2;
+    const auto number = [&](int tick) {
+        return QLocale().toString(largest * tick / Ticks, isPlain ? 'f' : 'e', decimals);
+    };
+    int numbers = 0;
+    for (int tick = 0; tick <= Ticks; ++tick)
+        numbers = std::max(numbers, metrics.horizontalAdvance(number(tick)));
+    int width = BarWidth + 10 + numbers;
+    for (const QString &text : {title, unit, scope})
+        width = std::max(width, metrics.horizontalAdvance(text));
+    const int text = 3 * lineHeight, edge = Margin + 2;
+    const int bar = std::min(LargestBar, area.height() - text - 4 * Margin - lineHeight);
+    if (bar < LeastBar)
+        return; // the picture is more important
+    const QSize size(width + 2 * edge, text + lineHeight / 2 + bar + lineHeight / 2 + edge);
+    const QRect panel(area.right() - Margin - size.width(), area.top() + Margin, size.width(), size.height());
+    drawPanel(painter, panel, isDark);
+    const QColor ink = inkOn(isDark);
+    QColor faint = ink;
+    faint.setAlpha(170);
+    QRect line(panel.left() + edge, panel.top() + edge / 2, width, lineHeight);
+    for (const auto &[words, color] : {std::pair(title, ink), std::pair(unit, faint), std::pair(scope, faint)}) {
+        painter.setPen(color);
+        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, words);
+        line.translate(0, lineHeight);
+    }
+    const QRect scale(panel.left() + edge, line.top() + lineHeight / 2, BarWidth, bar);
+    QLinearGradient gradient(scale.bottomLeft(), scale.topLeft());
+    for (std::size_t i = 0; i < ErrorColors.size(); ++i)
+        gradient.setColorAt(double(i) / (ErrorColors.size() - 1), QColor(ErrorColors[i]));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(gradient);
+    painter.drawRoundedRect(scale, 2, 2);
+    painter.setPen(ink);
+    for (int tick = 0; tick <= Ticks; ++tick) {
+        const int y = scale.bottom() - (scale.height() - 1) * tick / Ticks;
+        painter.drawLine(scale.right() + 2, y, scale.right() + 5, y);
+        const QRect box(scale.right() + 10, y - lineHeight / 2, numbers, lineHeight);
+        painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, number(tick));
+    }
+}
 
 void drawStatistics(QPainter &painter, const ViewportStatistics &statistics, bool isDark)
 {
@@ -45,11 +114,8 @@ void drawStatistics(QPainter &painter, const ViewportStatistics &statistics, boo
     const int gap = 2 * metrics.averageCharWidth();
     const int lineHeight = metrics.height();
     const QRect panel(Margin, Margin, names + gap + values + 2 * Margin, int(rows.size()) * lineHeight + Margin + 2);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(isDark ? QColor(0, 0, 0, 110) : QColor(255, 255, 255, 170));
-    painter.drawRoundedRect(panel, 5, 5);
-    const QColor ink = isDark ? QColor(235, 238, 242) : QColor(30, 34, 40);
+    drawPanel(painter, panel, isDark);
+    const QColor ink = inkOn(isDark);
     QColor faint = ink;
     faint.setAlpha(170);
     QRect line(panel.left() + Margin, panel.top() + Margin / 2 + 1, names + gap + values, lineHeight);

@@ -21,6 +21,17 @@ struct ViewportStatistics
 /// The read-out in the upper left corner.
 void drawStatistics(QPainter &painter, const ViewportStatistics &statistics, bool isDark);
 
+/// What the colours of the errors mean.
+struct ErrorLegend
+{
+    double range = 0;    ///< the error that has the last colour, in the animation's units
+    double diagonal = 0; ///< of the original, which the numbers are per cent of; 0: they are plain lengths
+    bool isOfFrame = false;
+};
+
+/// A scale at the right side of `area`.
+void drawErrorLegend(QPainter &painter, const QRect &area, const ErrorLegend &legend, bool isDark);
+
 /// Where x, y and z point, in the lower left corner of `area`.
 void drawAxes(QPainter &painter, const QRect &area, const model::OrbitCamera &camera, bool isDark);
 

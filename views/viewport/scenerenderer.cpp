@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/viewport/scenerenderer.h"
 
+#include "views/viewport/errorcolors.h"
+
 #include <QColor>
 #include <QFile>
 #include <QVector3D>
@@ -141,6 +143,11 @@ void SceneRenderer::use(const Program &program, const ViewStyle &style)
     mGl.glUniformMatrix4fv(program->uniformLocation("uProjection"), 1, GL_FALSE, mProjection.data());
     program->setUniformValue("uSurface", linear(colors.surface).toVector3D());
     program->setUniformValue("uBackSide", linear(colors.backSide).toVector3D());
+    program->setUniformValue("uErrorRange", mMesh.hasErrors() ? style.errorRange : 0.0f);
+    std::array<QVector3D, ErrorColors.size()> map;
+    for (std::size_t i = 0; i < map.size(); ++i)
+        map[i] = linear(QColor(ErrorColors[i])).toVector3D();
+    program->setUniformValueArray("uErrorColors", map.data(), int(map.size()));
 }
 
 void SceneRenderer::drawBackground(float aspect, const ViewStyle &style)
@@ -180,6 +187,8 @@ void SceneRenderer::drawMesh(const ViewStyle &style)
     program->setUniformValue("uTriangles", 0);
     program->setUniformValue("uPositions", 1);
     program->setUniformValue("uNormals", 2);
+    program->setUniformValue("uErrors", 3);
+    program->setUniformValue("uHasErrors", mMesh.hasErrors());
     program->setUniformValue("uEdge", linear(isWire ? colors.wire : colors.edge));
     program->setUniformValue("uEdgeHalfWidth", 0.55f * style.pixelRatio);
     if (isWire) { // lines of one colour over each other look the same in any order: no depth needed

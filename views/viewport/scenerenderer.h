@@ -20,6 +20,7 @@ struct ViewStyle
     double pointDensity = 1; ///< share of the vertices drawn as points, 0..1
     bool isDark = true;      ///< background
     bool hasGrid = true;     ///< on the floor
+    float errorRange = 0;    ///< the vertex error that has the last colour of the map; 0: not coloured by errors
     float pixelRatio = 1;    ///< lines and points keep their size on high-DPI screens
 };
 

@@ -23,6 +23,8 @@ public:
 
     /// Where a frame is drawn, in the widget's coordinates.
     int positionOf(int frame) const;
+    /// The frame whose place is nearest.
+    int frameAt(double x) const;
     /// The strip in which the range's handles can be grabbed.
     QRect rangeStrip() const;
     QRect ruler() const;
@@ -45,7 +47,6 @@ protected:
 private:
     enum class Drag { None, Playhead, RangeFirst, RangeLast };
 
-    int frameAt(double x) const;
     /// The handle under `place`.
     Drag handleAt(QPointF place) const;
     void dragTo(double x);

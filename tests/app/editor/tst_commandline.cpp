@@ -13,15 +13,16 @@ class TestCommandLine final : public QObject
 private slots:
     void everyOptionArrives()
     {
-        const auto options =
-            parseCommandLine({"sandreel", "--language", "cs", "--theme", "dark", "--size", "1200x800", "--frame", "7",
-                              "--play", "--screenshot", "a.png", "--after", "250", "walk.anim"});
+        const auto options = parseCommandLine({"sandreel", "--language", "cs", "--theme", "dark", "--size", "1200x800",
+                                               "--frame", "7", "--play", "--compare", "walk.pc2", "--screenshot",
+                                               "a.png", "--after", "250", "walk.anim"});
         QVERIFY(!options.exit);
         QCOMPARE(*options.language, QString("cs"));
         QVERIFY(options.theme == editor::Theme::Dark);
         QCOMPARE(*options.size, QSize(1200, 800));
         QCOMPARE(*options.frame, 7);
         QVERIFY(options.play);
+        QCOMPARE(options.original, QDir::current().absoluteFilePath("walk.pc2"));
         QCOMPARE(options.screenshot, QString("a.png"));
         QCOMPARE(options.screenshotDelay, 250);
         QCOMPARE(options.paths, QStringList{QDir::current().absoluteFilePath("walk.anim")});

@@ -250,7 +250,7 @@ private slots:
                 const bool isControl = qobject_cast<const QAbstractButton *>(control) ||
                                        qobject_cast<const QAbstractSpinBox *>(control) ||
                                        qobject_cast<const QComboBox *>(control);
-                if (!isControl)
+                if (!isControl || !control->isVisible())
                     continue;
                 const auto *button = qobject_cast<const QToolButton *>(control);
                 QVERIFY(!control->accessibleName().isEmpty() || (button && !button->text().isEmpty()));

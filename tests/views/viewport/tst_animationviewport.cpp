@@ -132,6 +132,72 @@ private slots:
         QVERIFY(back.lightness() > 60);
     }
 
+    /// The left half of a sheet is where it was, the right half is off; from frame to frame by more.
+    void errorsAreColoured()
+    {
+        const auto original = tests::constant(tests::grid(), 3);
+        std::vector<model::Vec3f> positions(original->allPositions().begin(), original->allPositions().end());
+        const std::size_t count = original->vertexCount();
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            if (positions[i].x > 0.6f)
+                positions[i].z += 0.01f * float(i / count + 1);
+        show(std::make_shared<model::Sequence>(original->connectivity(), positions));
+        model::OrbitCamera camera = mViewport->camera();
+        camera.yaw = camera.pitch = 0;
+        mViewport->setCamera(camera);
+        const QPoint left(110, 120), right(240, 120);
+        const auto isYellow = [](QColor color) { // greener than the surface's own sand
+            return color.green() > color.blue() + 30 && color.green() > 0.9 * color.red();
+        };
+        const auto isViolet = [](QColor color) { return color.blue() > color.green() && color.red() > color.green(); };
+        QVERIFY(isSurface(picture().pixelColor(left)) && isSurface(picture().pixelColor(right)));
+
+        Comparison comparison(*mPlayer);
+        mViewport->setComparison(&comparison);
+        mViewport->setErrorColored(true);
+        QCOMPARE(mViewport->errorRange(), 0.0f); // nothing to colour by
+        comparison.start("grid", [original](const model::Progress &) -> model::Result<Original> {
+            return Original{original, {}};
+        });
+        const auto shows = [this](std::uint32_t frame) {
+            const FrameDataPtr shown = mPlayer->currentFrame();
+            return shown && shown->frame == frame && shown->original;
+        };
+        QTRY_VERIFY(comparison.result() && shows(0));
+        QVERIFY(isViolet(picture().pixelColor(left)));
+        const QColor third = picture().pixelColor(right); // of the largest of all frames: blue-green
+        QVERIFY2(third.blue() > third.red() + 20, qPrintable(third.name()));
+        QVERIFY(qAbs(mViewport->errorRange() - 0.03f) < 1e-6f);
+        mViewport->setErrorRangeOfFrame(true);
+        QVERIFY2(isYellow(picture().pixelColor(right)), qPrintable(picture().pixelColor(right).name()));
+        QVERIFY(qAbs(mViewport->errorRange() - 0.01f) < 1e-6f);
+        mViewport->setErrorRangeOfFrame(false);
+        mPlayer->seek(2);
+        QTRY_VERIFY(shows(2));
+        QVERIFY(isViolet(picture().pixelColor(left)) && isYellow(picture().pixelColor(right)));
+
+        // Every way of drawing has the colours.
+        for (const DrawMode mode : {DrawMode::ShadedWireframe, DrawMode::Wireframe, DrawMode::Points}) {
+            mViewport->setDrawMode(mode);
+            const QImage image = picture();
+            int yellow = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = image.width() / 2; x < image.width(); ++x)
+                    yellow += isYellow(image.pixelColor(x, y));
+            QVERIFY2(yellow > 20, qPrintable(QString::number(yellow)));
+        }
+        mViewport->setDrawMode(DrawMode::Shaded);
+        const QImage exported = mViewport->renderPicture(*mPlayer->currentFrame(), {300, 240});
+        QVERIFY2(isYellow(exported.pixelColor(right)), qPrintable(exported.pixelColor(right).name()));
+        mViewport->setErrorColored(false);
+        QVERIFY(isSurface(picture().pixelColor(left)));
+        mViewport->setErrorColored(true);
+        comparison.stop();
+        QTRY_VERIFY(!mPlayer->currentFrame()->original);
+        QVERIFY(isSurface(picture().pixelColor(left)));
+        mViewport->setComparison(nullptr);
+    }
+
     void modesDiffer()
     {
         std::vector<QImage> images;

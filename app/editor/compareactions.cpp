@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/compareactions.h"
+
+#include "app/editor/documenttab.h"
+#include "app/editor/settings.h"
+#include "app/editor/workspace.h"
+#include "model/io/errortext.h"
+#include "views/dialogs/comparedialog.h"
+#include "views/itemmodels/logmodel.h"
+#include "views/viewport/animationviewport.h"
+
+#include <QFileInfo>
+
+namespace editor {
+
+CompareActions::CompareActions(Actions &actions, Workspace &workspace, const Settings &settings, views::LogModel &log,
+                               QWidget &window)
+    : mActions(actions)
+    , mWorkspace(workspace)
+    , mSettings(settings)
+    , mLog(log)
+    , mWindow(window)
+{
+    actions[ActionId::ErrorColors].setChecked(true);
+    connect(&actions[ActionId::Compare], &QAction::triggered, this, &CompareActions::ask);
+    connect(&actions[ActionId::StopComparing], &QAction::triggered, this, [this] {
+        if (views::Comparison *compared = comparison())
+            compared->stop();
+    });
+    connect(&actions[ActionId::ErrorColors], &QAction::toggled, this, &CompareActions::update);
+    connect(&actions[ActionId::ErrorRange], &QAction::toggled, this, &CompareActions::update);
+    connect(&workspace, &Workspace::currentChanged, this, &CompareActions::follow);
+    connect(&workspace, &Workspace::currentStateChanged, this, &CompareActions::follow);
+    follow();
+}
+
+views::Comparison *CompareActions::comparison() const
+{
+    DocumentTab *tab = mWorkspace.current();
+    return tab && tab->document().isOpen() ? &tab->document().comparison() : nullptr;
+}
+
+void CompareActions::follow()
+{
+    if (views::Comparison *compared = comparison()) {
+        connect(compared, &views::Comparison::changed, this, &CompareActions::update, Qt::UniqueConnection);
+        connect(compared, &views::Comparison::failed, this, &CompareActions::failed, Qt::UniqueConnection);
+    }
+    update();
+}
+
+void CompareActions::update()
+{
+    const views::Comparison *compared = comparison();
+    const DocumentTab *tab = mWorkspace.current();
+    views::AnimationViewport *viewport = tab ? tab->viewport() : nullptr;
+    const bool hasErrors = compared && compared->result();
+    mActions[ActionId::Compare].setEnabled(compared != nullptr);
+    mActions[ActionId::StopComparing].setEnabled(compared && compared->isActive());
+    mActions[ActionId::ErrorColors].setEnabled(hasErrors && viewport);
+    mActions[ActionId::ErrorRange].setEnabled(hasErrors && viewport && mActions[ActionId::ErrorColors].isChecked());
+    if (!viewport)
+        return;
+    viewport->setErrorColored(mActions[ActionId::ErrorColors].isChecked());
+    viewport->setErrorRangeOfFrame(mActions[ActionId::ErrorRange].isChecked());
+}
+
+void CompareActions::ask()
+{
+    views::Comparison *compared = comparison();
+    if (!compared)
+        return;
+    Document &document = mWorkspace.current()->document();
+    const model::FrameSourcePtr frames = document.context()->document().frames();
+    std::vector<views::CompareDialog::Candidate> candidates;
+    for (DocumentTab *tab : mWorkspace.tabs()) {
+        if (&tab->document() == &document || !tab->document().isOpen())
+            continue;
+        const model::FrameSourcePtr other = tab->document().context()->document().frames();
+        if (other->frameCount() == frames->frameCount() && other->vertexCount() == frames->vertexCount())
+            candidates.push_back({tab->document().title(), other});
+    }
+    const QString folder = document.path().isEmpty() ? mSettings.lastFolder() : QFileInfo(document.path()).path();
+    auto *dialog = new views::CompareDialog(document.title(), std::move(candidates), folder, &mWindow);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    // The tab may be closed while the dialog is there.
+    connect(compared, &QObject::destroyed, dialog, &QDialog::reject);
+    connect(dialog, &QDialog::accepted, compared,
+            [compared, dialog] { compared->start(dialog->originalName(), dialog->reader()); });
+    dialog->open();
+}
+
+void CompareActions::failed(const QString &name, const model::Error &error)
+{
+    if (error.code == model::ErrorCode::Cancelled)
+        return;
+    const QString text =
+        tr("The animation cannot be compared with %1.").arg(name) + QLatin1Char(' ') + model::io::errorText(error);
+    mLog.add(views::LogLevel::Error, text);
+    mWorkspace.messages().add(views::MessageBar::Kind::Error, text);
+}
+
+} // namespace editor
