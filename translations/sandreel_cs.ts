@@ -347,6 +347,38 @@
         <source>No Samples</source>
         <translation>Žádné ukázky</translation>
     </message>
+    <message>
+        <source>&amp;Compare with Original…</source>
+        <translation>&amp;Porovnat s originálem…</translation>
+    </message>
+    <message>
+        <source>Show what this animation lost of another one</source>
+        <translation>Ukázat, co tato animace ztratila oproti jiné</translation>
+    </message>
+    <message>
+        <source>St&amp;op Comparing</source>
+        <translation>&amp;Ukončit porovnání</translation>
+    </message>
+    <message>
+        <source>Forget the original</source>
+        <translation>Zapomenout originál</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;Error</source>
+        <translation>Obarvit podle &amp;chyby</translation>
+    </message>
+    <message>
+        <source>Colour the mesh by how far each vertex is from the original</source>
+        <translation>Obarvit síť podle vzdálenosti vrcholů od originálu</translation>
+    </message>
+    <message>
+        <source>Colour &amp;Range of This Frame</source>
+        <translation>&amp;Rozsah barev z tohoto snímku</translation>
+    </message>
+    <message>
+        <source>Let the colours reach to the frame&apos;s largest error instead of that of all frames</source>
+        <translation>Barvy sahají k největší chybě tohoto snímku místo všech snímků</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -389,6 +421,10 @@
     <message>
         <source>Option --%1 does not take the value &quot;%2&quot;.</source>
         <translation>Přepínač --%1 nemůže mít hodnotu „%2“.</translation>
+    </message>
+    <message>
+        <source>Show what the last animation lost of this original.</source>
+        <translation>Ukázat, co poslední animace ztratila oproti tomuto originálu.</translation>
     </message>
 </context>
 <context>
@@ -879,6 +915,13 @@
     </message>
 </context>
 <context>
+    <name>editor::CompareActions</name>
+    <message>
+        <source>The animation cannot be compared with %1.</source>
+        <translation>Animaci nelze porovnat s %1.</translation>
+    </message>
+</context>
+<context>
     <name>editor::DocumentTab</name>
     <message>
         <source>Opening %1…</source>
@@ -1230,6 +1273,45 @@
     </message>
 </context>
 <context>
+    <name>views::CompareDialog</name>
+    <message>
+        <source>Original</source>
+        <translation>Originál</translation>
+    </message>
+    <message>
+        <source>Compare %1 with Its Original</source>
+        <translation>Porovnat %1 s originálem</translation>
+    </message>
+    <message>
+        <source>A File or Folder</source>
+        <translation>Soubor nebo složka</translation>
+    </message>
+    <message>
+        <source>As was done when the animation was prepared: the original is moved and scaled alike</source>
+        <translation>Jako při přípravě animace: originál se posune a zvětší stejně</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Porovnat</translation>
+    </message>
+    <message>
+        <source>&amp;Original:</source>
+        <translation>&amp;Originál:</translation>
+    </message>
+    <message>
+        <source>&amp;Path:</source>
+        <translation>&amp;Cesta:</translation>
+    </message>
+    <message>
+        <source>&amp;Normalise it:</source>
+        <translation>&amp;Normalizovat jej:</translation>
+    </message>
+    <message>
+        <source>Frames and vertices must be as many, and in the same order.</source>
+        <translation>Snímků a vrcholů musí být stejně, ve stejném pořadí.</translation>
+    </message>
+</context>
+<context>
     <name>views::CompressionDock</name>
     <message>
         <source>Compression</source>
@@ -1491,6 +1573,75 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
     <message>
         <source>Without it the file is a little smaller, and vertices are numbered anew.</source>
         <translation>Bez toho je soubor o něco menší a vrcholy se očíslují znovu.</translation>
+    </message>
+</context>
+<context>
+    <name>views::ErrorPanel</name>
+    <message>
+        <source>Not comparable with %1 now: %2</source>
+        <translation>Teď nelze porovnat s %1: %2</translation>
+    </message>
+    <message>
+        <source>Up to %1 in frame %2</source>
+        <translation>Nejvýše %1 ve snímku %2</translation>
+    </message>
+    <message>
+        <source>All frames together: %1 %</source>
+        <translation>Všechny snímky dohromady: %1 %</translation>
+    </message>
+    <message>
+        <source>Per cent of the diagonal of the original&apos;s box over all frames</source>
+        <translation>Procenta úhlopříčky kvádru kolem všech snímků originálu</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <extracomment>%1: the name of the original</extracomment>
+        <translation>Čte se %1…</translation>
+    </message>
+    <message>
+        <source>Comparing with %1…</source>
+        <translation>Porovnává se s %1…</translation>
+    </message>
+    <message>
+        <source>%1 here, up to %2 in frame %3</source>
+        <translation>zde %1, nejvýše %2 ve snímku %3</translation>
+    </message>
+    <message>
+        <source>KG Error</source>
+        <translation>Chyba KG</translation>
+    </message>
+    <message>
+        <source>Largest Vertex Error</source>
+        <translation>Největší chyba vrcholu</translation>
+    </message>
+    <message>
+        <source>Error shown</source>
+        <translation>Zobrazená chyba</translation>
+    </message>
+    <message>
+        <source>KG: of all vertices of a frame together, against the frame&apos;s extent.
+Largest: of the worst vertex, in per cent of the diagonal of the original&apos;s box.</source>
+        <translation>KG: všech vrcholů snímku dohromady, vůči rozměru snímku.
+Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originálu.</translation>
+    </message>
+    <message>
+        <source>Error of each frame</source>
+        <translation>Chyba každého snímku</translation>
+    </message>
+    <message>
+        <source>Progress of comparing</source>
+        <translation>Průběh porovnání</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+</context>
+<context>
+    <name>views::ErrorPlot</name>
+    <message>
+        <source>Frame %1: %2 %3</source>
+        <translation>Snímek %1: %2 %3</translation>
     </message>
 </context>
 <context>
@@ -2520,6 +2671,26 @@ chyba KG %4</translation>
         <source>Draw</source>
         <translation>Kreslení</translation>
     </message>
+    <message>
+        <source>Vertex error</source>
+        <translation>Chyba vrcholů</translation>
+    </message>
+    <message>
+        <source>% of diagonal</source>
+        <translation>% úhlopříčky</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>délka</translation>
+    </message>
+    <message>
+        <source>this frame</source>
+        <translation>tento snímek</translation>
+    </message>
+    <message>
+        <source>all frames</source>
+        <translation>všechny snímky</translation>
+    </message>
 </context>
 <context>
     <name>views::TimelineDock</name>
@@ -2647,6 +2818,10 @@ chyba KG %4</translation>
     <message>
         <source>%1 / %2</source>
         <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Go to &amp;Worst Frame</source>
+        <translation>Na nej&amp;horší snímek</translation>
     </message>
 </context>
 <context>

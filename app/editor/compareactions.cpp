@@ -21,7 +21,6 @@ CompareActions::CompareActions(Actions &actions, Workspace &workspace, const Set
     , mLog(log)
     , mWindow(window)
 {
-    actions[ActionId::ErrorColors].setChecked(true);
     connect(&actions[ActionId::Compare], &QAction::triggered, this, &CompareActions::ask);
     connect(&actions[ActionId::StopComparing], &QAction::triggered, this, [this] {
         if (views::Comparison *compared = comparison())
@@ -85,8 +84,11 @@ void CompareActions::ask()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     // The tab may be closed while the dialog is there.
     connect(compared, &QObject::destroyed, dialog, &QDialog::reject);
-    connect(dialog, &QDialog::accepted, compared,
-            [compared, dialog] { compared->start(dialog->originalName(), dialog->reader()); });
+    connect(dialog, &QDialog::accepted, compared, [this, compared, dialog] {
+        // Who asks for the error wants to see where it is.
+        mActions[ActionId::ErrorColors].setChecked(true);
+        compared->start(dialog->originalName(), dialog->reader());
+    });
     dialog->open();
 }
 

@@ -102,13 +102,29 @@ void FileActions::showOpenDialog()
     openPaths(paths);
 }
 
+void FileActions::openPrepared(const QString &path, const views::OriginalPtr &original)
+{
+    openPaths({path});
+    DocumentTab *tab = mWorkspace.current();
+    if (!tab || !tab->document().isOpening() || tab->document().path() != QFileInfo(path).absoluteFilePath())
+        return; // open already: it may hold what the file held before
+    Document &document = tab->document();
+    connect(
+        &document, &Document::opened, this,
+        [&document, original] {
+            document.comparison().start(
+                QString::fromStdString(original->frames->name()),
+                [original](const model::Progress &) -> model::Result<views::Original> { return *original; });
+        },
+        Qt::SingleShotConnection);
+}
+
 void FileActions::prepare(const QString &source)
 {
     if (!mPrepare) {
         mPrepare = new views::PrepareDialog(&mWindow);
         mPrepare->setAttribute(Qt::WA_DeleteOnClose);
-        connect(mPrepare, &views::PrepareDialog::openRequested, this,
-                [this](const QString &path) { openPaths({path}); });
+        connect(mPrepare, &views::PrepareDialog::openRequested, this, &FileActions::openPrepared);
     }
     if (!source.isEmpty())
         mPrepare->setSource(source);

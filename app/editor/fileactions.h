@@ -4,6 +4,7 @@
 #include "app/editor/actions.h"
 #include "app/editor/settings.h"
 #include "model/base/error.h"
+#include "views/scene/framedata.h"
 
 #include <QObject>
 #include <QPointer>
@@ -50,6 +51,7 @@ private:
     enum class Answer { Save, Discard, Cancel };
 
     void openAnimation(const QString &path);
+    void openPrepared(const QString &path, const views::OriginalPtr &original);
     void showOpenDialog();
     /// Saves to its file; asks for one if it has none. False if the user thought better of it.
     bool save(DocumentTab &tab);

@@ -40,9 +40,11 @@ void StartTask::proceed()
         return;
     if (DocumentTab *tab = mWindow.workspace().current(); tab && tab->document().isOpen()) {
         views::Comparison &comparison = tab->document().comparison();
-        if (!mOptions.original.isEmpty() && !std::exchange(mIsComparing, true))
+        if (!mOptions.original.isEmpty() && !std::exchange(mIsComparing, true)) {
+            mWindow.actions()[ActionId::ErrorColors].setChecked(true);
             comparison.start(QFileInfo(mOptions.original).fileName(),
                              views::originalReader(mOptions.original, model::Normalisation::None));
+        }
         if (comparison.isReading() || comparison.isMeasuring())
             return;
     }

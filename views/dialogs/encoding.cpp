@@ -28,8 +28,9 @@ Result<EncodingReport> encodeToFile(const EncodingOrder &order, const Progress &
     const auto placement = normalisingSimilarity(source, order.normalisation, progress.part(0, NormalisedAt));
     if (!placement)
         return fail(placement.error());
-    const EditedFrames edited(order.frames, TimeMap::identity(source.frameCount()), *placement, order.frameRate,
-                              order.name.toStdString());
+    const auto placed = std::make_shared<const EditedFrames>(order.frames, TimeMap::identity(source.frameCount()),
+                                                             *placement, order.frameRate, order.name.toStdString());
+    const EditedFrames &edited = *placed;
 
     auto encoded = codec::encodeAnimation(edited, order.settings, progress.part(NormalisedAt, EncodedAt));
     if (!encoded)
@@ -51,6 +52,7 @@ Result<EncodingReport> encodeToFile(const EncodingOrder &order, const Progress &
     const double samples = double(source.vertexCount()) * source.frameCount();
     report.order = order;
     report.order.frames = nullptr;
+    report.original = std::make_shared<const Original>(Original{placed, std::move(encoded->permutation)});
     report.fileBytes = encoded->bytes.size();
     report.rawBytes = std::uint64_t(samples) * sizeof(Vec3f);
     report.bitsPerFrameAndVertex = 8 * double(report.fileBytes) / samples;

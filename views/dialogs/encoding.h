@@ -4,6 +4,7 @@
 #include "model/animation/compressionsettings.h"
 #include "model/animation/metrics.h"
 #include "model/animation/normalisation.h"
+#include "views/scene/framedata.h"
 
 #include <QString>
 
@@ -23,7 +24,8 @@ struct EncodingOrder
 /// What came of it.
 struct EncodingReport
 {
-    EncodingOrder order; ///< without its frames
+    EncodingOrder order;  ///< without its frames
+    OriginalPtr original; ///< what the file was made of, normalised, in the file's order of vertices
     std::uint64_t fileBytes = 0;
     std::uint64_t rawBytes = 0; ///< the positions as float32
     double bitsPerFrameAndVertex = 0;

@@ -48,7 +48,8 @@ public slots:
     void reject() override;
 
 signals:
-    void openRequested(const QString &path);
+    /// \param original  what the file was made of
+    void openRequested(const QString &path, const views::OriginalPtr &original);
 
 protected:
     void dragEnterEvent(QDragEnterEvent *event) override;

@@ -102,8 +102,10 @@ TriesPanel::TriesPanel(QWidget *parent)
 
     connect(mTable, &QTableWidget::itemSelectionChanged, this, &TriesPanel::showSelected);
     connect(again, &QPushButton::clicked, this, &TriesPanel::encodeAgainRequested);
-    connect(mOpen, &QPushButton::clicked, this,
-            [this] { emit openRequested(mTries[std::size_t(mTable->currentRow())].report.order.output); });
+    connect(mOpen, &QPushButton::clicked, this, [this] {
+        const EncodingReport report = mTries[std::size_t(mTable->currentRow())].report;
+        emit openRequested(report.order.output, report.original);
+    });
     connect(mShowInFolder, &QPushButton::clicked, this,
             [this] { views::showInFolder(mTries[std::size_t(mTable->currentRow())].report.order.output); });
     showSelected();

@@ -29,7 +29,8 @@ public:
     bool hasWritten(const QString &path) const;
 
 signals:
-    void openRequested(const QString &path);
+    /// \param original  what the file was made of
+    void openRequested(const QString &path, const views::OriginalPtr &original);
     void encodeAgainRequested();
 
 private:

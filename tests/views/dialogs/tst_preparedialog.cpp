@@ -151,6 +151,12 @@ private slots:
         click(dialog, "openResult");
         QCOMPARE(opened.size(), 1);
         QCOMPARE(opened.first().first().toString(), path("flag.anim"));
+        // What it was made of comes along, so that the error can be shown at once.
+        const auto original = opened.first().last().value<views::OriginalPtr>();
+        QVERIFY(original != nullptr);
+        const auto errors = model::compareAnimations(*original->frames, **anim, original->permutation);
+        QVERIFY(errors.has_value());
+        QVERIFY(errors->kgErrorPercent < 20);
     }
 
     void normalisedAnimationFillsTheCube()
