@@ -789,6 +789,10 @@
         <source>the end of the line</source>
         <translation>konec řádku</translation>
     </message>
+    <message>
+        <source>There is not enough memory. Close other programs or use a smaller animation.</source>
+        <translation>Nedostatek paměti. Zavřete jiné programy nebo použijte menší animaci.</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "model/base/outofmemory.h"
 #include "model/io/errortext.h"
 
 #include <QCoreApplication>
 
-#include <new>
+#include <cstdlib>
 
 namespace {
 
@@ -29,16 +30,6 @@ std::string usageMessage(const CLI::App *app, const CLI::Error &error)
         what.back() = '.';
     }
     return "sandreel-cli: " + what + "\nSee " + help + " --help.\n";
-}
-
-/// Work that runs out of memory is an error as any other.
-model::Result<void> runGuarded(const cli::Run &run, cli::Console &console)
-{
-    try {
-        return run(console);
-    } catch (const std::bad_alloc &) {
-        return model::fail(model::ErrorCode::OutOfMemory, "more");
-    }
 }
 
 } // namespace
@@ -79,10 +70,13 @@ int main(int argc, char **argv)
         return console.flush() ? int(cli::ExitCode::Ok) : int(cli::ExitCode::InputOutput);
     }
 
-    const model::Result<void> result = runGuarded(run, console);
+    const model::Result<void> result = model::catchBadAlloc([&] { return run(console); });
     console.endProgress();
     if (!result) {
         console.error(QStringLiteral("sandreel-cli: ") + model::io::errorText(result.error()));
+        // A scene's importer may still be at work; who pressed Ctrl+C does not wait for it.
+        if (result.error().code == model::ErrorCode::Cancelled)
+            std::_Exit(int(cli::ExitCode::Interrupted));
         return int(cli::exitCodeOf(result.error()));
     }
     if (!console.flush()) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #ifndef __wasm__
+#include <exception>
 #include <thread>
 #include <vector>
 #endif
@@ -43,16 +44,32 @@ unsigned threadCount()
 void parallelFor(std::size_t count, const std::function<void(std::size_t)> &body)
 {
     std::atomic<std::size_t> next = 0;
+    std::atomic_flag hasThrown = ATOMIC_FLAG_INIT;
+    std::exception_ptr thrown;
     const auto work = [&] {
-        for (std::size_t i = next++; i < count; i = next++)
-            body(i);
+        try {
+            for (std::size_t i = next++; i < count; i = next++)
+                body(i);
+        } catch (...) {
+            next = count;
+            if (!hasThrown.test_and_set())
+                thrown = std::current_exception();
+        }
     };
-    const std::size_t helpers = std::min<std::size_t>(threadCount(), std::max<std::size_t>(count, 1)) - 1;
-    std::vector<std::jthread> threads;
-    threads.reserve(helpers);
-    for (std::size_t i = 0; i < helpers; ++i)
-        threads.emplace_back(work);
-    work();
+    {
+        const std::size_t helpers = std::min<std::size_t>(threadCount(), std::max<std::size_t>(count, 1)) - 1;
+        std::vector<std::jthread> threads;
+        threads.reserve(helpers);
+        try {
+            for (std::size_t i = 0; i < helpers; ++i)
+                threads.emplace_back(work);
+        } catch (const std::exception &) {
+            // No more threads, or no memory for one: those that are there do all of the work.
+        }
+        work();
+    }
+    if (thrown)
+        std::rethrow_exception(thrown);
 }
 
 #endif

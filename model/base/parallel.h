@@ -12,8 +12,9 @@ unsigned threadCount();
 void setThreadCount(unsigned count);
 
 /// Calls `body(i)` for every i in 0..count-1, on up to threadCount() threads, the caller's being one of them; returns
-/// when all are done. `body` must not throw. Order and distribution over threads are not fixed: a result must not
-/// depend on them.
+/// when all are done. Order and distribution over threads are not fixed: a result must not depend on them.
+///
+/// What a body throws (std::bad_alloc, as we throw nothing ourselves) ends the loop early and is thrown here again.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)> &body);
 
 /// The same over ranges begin..end of about `grain` indices.

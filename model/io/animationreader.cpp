@@ -2,6 +2,7 @@
 #include "model/io/animationreader.h"
 
 #include "model/animation/editedframes.h"
+#include "model/base/outofmemory.h"
 #include "model/io/animfile.h"
 #include "model/io/failure.h"
 #include "model/io/filebuffer.h"

@@ -3,18 +3,17 @@
 
 #include "model/base/bytes.h"
 #include "model/base/parallel.h"
-#include "model/io/animfile.h"
 #include "model/io/failure.h"
 #include "model/io/firsterror.h"
 #include "model/io/meshtext.h"
 #include "model/io/rawpositions.h"
+#include "model/io/savefile.h"
 #include "model/io/workspaces.h"
 
 #include <atomic>
 
 #include <QDir>
 #include <QFile>
-#include <QSaveFile>
 
 namespace model::io {
 
@@ -62,16 +61,14 @@ public:
     }
 
     /// From any thread, each frame once.
-    Result<void> write(std::uint32_t frame, std::span<const char> bytes)
+    Result<void> write(std::uint32_t frame, std::span<const std::uint8_t> bytes)
     {
         QFile file(path(frame));
         // NewOnly: somebody else's file of this name is not overwritten.
         if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly | QIODevice::Unbuffered))
             return failIn(file, ErrorCode::CannotOpen);
         mMade[frame] = 1;
-        if (file.write(bytes.data(), qint64(bytes.size())) != qint64(bytes.size()))
-            return failIn(file, ErrorCode::CannotWrite);
-        return {};
+        return writeAll(file, bytes);
     }
 
     void keep() { mKept = true; }
@@ -124,7 +121,7 @@ Result<void> writeFrames(const QString &folder, const FrameSource &source, MeshF
         workspace->positions.resize(source.vertexCount());
         source.positions(std::uint32_t(i), workspace->positions);
         formatMesh(workspace->positions, source.connectivity(), format, workspace->text);
-        if (auto written = frames.write(std::uint32_t(i), workspace->text); !written)
+        if (auto written = frames.write(std::uint32_t(i), asBytes(workspace->text)); !written)
             return firstError.set(i, std::move(written.error()));
         progress.report(double(++done) / source.frameCount());
     });
@@ -136,12 +133,9 @@ Result<void> writeFrames(const QString &folder, const FrameSource &source, MeshF
 
 Result<void> writePc2(const QString &path, const FrameSource &source, const Progress &progress)
 {
-    QSaveFile file(path);
-    if (auto opened = openForSaving(file); !opened)
+    SaveFile file(path);
+    if (auto opened = file.open(); !opened)
         return opened;
-    const auto put = [&file](std::span<const std::uint8_t> bytes) {
-        return file.write(reinterpret_cast<const char *>(bytes.data()), qint64(bytes.size())) == qint64(bytes.size());
-    };
 
     ByteWriter header;
     header.bytes(std::span(reinterpret_cast<const std::uint8_t *>("POINTCACHE2"), 12)); // with its final zero
@@ -150,8 +144,8 @@ Result<void> writePc2(const QString &path, const FrameSource &source, const Prog
     header.f32(0); // frame of the first sample
     header.f32(1); // frames from one sample to the next
     header.u32(source.frameCount());
-    if (!put(header.data()))
-        return failIn(file, ErrorCode::CannotWrite);
+    if (auto written = file.write(header.data()); !written)
+        return written;
 
     std::vector<Vec3f> positions(source.vertexCount());
     for (std::uint32_t frame = 0; frame < source.frameCount(); ++frame) {
@@ -159,13 +153,12 @@ Result<void> writePc2(const QString &path, const FrameSource &source, const Prog
             return fail(ErrorCode::Cancelled);
         source.positions(frame, positions);
         swapBytesUnlessNative(positions, std::endian::little);
-        if (!put({reinterpret_cast<const std::uint8_t *>(positions.data()), positions.size() * sizeof(Vec3f)}))
-            return failIn(file, ErrorCode::CannotWrite);
+        const std::size_t bytes = positions.size() * sizeof(Vec3f);
+        if (auto written = file.write({reinterpret_cast<const std::uint8_t *>(positions.data()), bytes}); !written)
+            return written;
         progress.report((frame + 1.0) / source.frameCount());
     }
-    if (!file.commit())
-        return failIn(file, ErrorCode::CannotWrite);
-    return {};
+    return file.commit();
 }
 
 } // namespace model::io

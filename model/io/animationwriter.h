@@ -13,7 +13,7 @@ namespace model::io {
 enum class MeshFormat : std::uint8_t { Obj, Off, Ply };
 
 /// Writes one mesh as it would be read again: shortest text that gives the same float (OBJ, OFF), binary
-/// little-endian (PLY). Through QSaveFile: all or nothing.
+/// little-endian (PLY). Through SaveFile: all or nothing.
 /// \error CannotOpen, CannotWrite
 Result<void> writeMesh(const QString &path, std::span<const Vec3f> positions, const Connectivity &connectivity,
                        MeshFormat format);

@@ -8,14 +8,11 @@
 
 #include <numeric>
 
-#include <QFileInfo>
-#include <QSaveFile>
-
 namespace model::io {
 
 Result<std::shared_ptr<const codec::DecodedAnimation>> openAnim(const QString &path, const Progress &progress)
 {
-    Result<Bytes> bytes = readBytes(path);
+    Result<Bytes> bytes = readBytes(path, progress);
     if (!bytes)
         return fail(std::move(bytes.error()));
     auto decoded = codec::decodeAnimation(std::move(*bytes), progress);
@@ -24,34 +21,10 @@ Result<std::shared_ptr<const codec::DecodedAnimation>> openAnim(const QString &p
     return decoded;
 }
 
-Result<void> saveBytes(const QString &path, std::span<const std::uint8_t> bytes)
-{
-    QSaveFile file(path);
-    if (auto opened = openForSaving(file); !opened)
-        return opened;
-    if (file.write(reinterpret_cast<const char *>(bytes.data()), qint64(bytes.size())) != qint64(bytes.size()) ||
-        !file.commit())
-        return failIn(file, ErrorCode::CannotWrite);
-    return {};
-}
-
-Result<void> openForSaving(QSaveFile &file)
-{
-    const QFileInfo info(file.fileName());
-    if (info.isDir())
-        return failIn(file.fileName(), ErrorCode::CannotOpen, QT_TRANSLATE_NOOP("ErrorText", "it is a folder"));
-    if (info.exists() && !info.isFile())
-        return failIn(file.fileName(), ErrorCode::CannotOpen,
-                      QT_TRANSLATE_NOOP("ErrorText", "it is not an ordinary file"));
-    if (!file.open(QIODevice::WriteOnly))
-        return failIn(file, ErrorCode::CannotOpen);
-    return {};
-}
-
-Result<Bytes> readBytes(const QString &path)
+Result<Bytes> readBytes(const QString &path, const Progress &progress)
 {
     FileBuffer buffer;
-    const auto text = buffer.load(path);
+    const auto text = buffer.load(path, progress);
     if (!text)
         return fail(text.error());
     return Bytes(text->begin(), text->end());

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "model/codec/animationcodec.h"
+#include "model/io/savefile.h"
 
 #include <QString>
-
-class QSaveFile;
 
 namespace model::io {
 
@@ -13,16 +12,8 @@ namespace model::io {
 Result<std::shared_ptr<const codec::DecodedAnimation>> openAnim(const QString &path,
                                                                 const Progress &progress = Progress());
 
-/// Writes bytes through QSaveFile: all or nothing, an existing file stays until all bytes are on disk.
-/// \error CannotOpen, CannotWrite
-Result<void> saveBytes(const QString &path, std::span<const std::uint8_t> bytes);
-
-/// Opens a file that saving will replace. Folders, devices and pipes are refused: a QSaveFile would put an ordinary
-/// file in the place of a device. \error CannotOpen
-Result<void> openForSaving(QSaveFile &file);
-
-/// A whole file. \error NotFound, CannotOpen, CannotRead, LimitExceeded
-Result<Bytes> readBytes(const QString &path);
+/// A whole file. \error NotFound, CannotOpen, CannotRead, LimitExceeded, OutOfMemory, Cancelled
+Result<Bytes> readBytes(const QString &path, const Progress &progress = Progress());
 
 /// The `.anim` bytes of an edited animation: an opened one of which only name or rate changed keeps its stream bit for
 /// bit; everything else is encoded.

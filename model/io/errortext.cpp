@@ -32,7 +32,7 @@ QString translate(const char *text)
 };
 
 /// What happened, with places for the arguments of the code.
-const char *rowOf(ErrorCode code)
+const char *rowOf(ErrorCode code, bool hasArguments)
 {
     switch (code) {
     case ErrorCode::NoFrames:
@@ -110,6 +110,9 @@ const char *rowOf(ErrorCode code)
     case ErrorCode::LimitExceeded:
         return QT_TRANSLATE_NOOP("ErrorText", "Too large: %1 is %2, the limit is %3.");
     case ErrorCode::OutOfMemory:
+        if (!hasArguments)
+            return QT_TRANSLATE_NOOP("ErrorText",
+                                     "There is not enough memory. Close other programs or use a smaller animation.");
         return QT_TRANSLATE_NOOP("ErrorText",
                                  "There is not enough memory: %1 bytes are needed. Close other programs or "
                                  "use a smaller animation.");
@@ -178,7 +181,7 @@ QString filled(const QString &text, const std::vector<std::string> &args)
 
 QString errorText(const Error &error)
 {
-    const QString what = filled(translate(rowOf(error.code)), error.args);
+    const QString what = filled(translate(rowOf(error.code, !error.args.empty())), error.args);
     const QString place = placeOf(error);
     return place.isEmpty() ? what : translate(QT_TRANSLATE_NOOP("ErrorText", "%1: %2")).arg(place, what);
 }

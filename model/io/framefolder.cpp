@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/framefolder.h"
 
+#include "model/base/outofmemory.h"
 #include "model/base/parallel.h"
 #include "model/io/animationreader.h"
 #include "model/io/failure.h"
@@ -11,7 +12,6 @@
 #include "model/io/workspaces.h"
 
 #include <atomic>
-#include <new>
 
 #include <QDir>
 

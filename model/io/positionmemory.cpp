@@ -3,6 +3,8 @@
 
 #include "model/io/failure.h"
 
+#include <new>
+
 namespace model::io {
 
 Result<std::vector<Vec3f>> positionMemory(std::uint64_t vertexCount, std::uint64_t frameCount)

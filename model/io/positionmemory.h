@@ -5,7 +5,6 @@
 #include "model/geometry/vec.h"
 
 #include <cstdint>
-#include <new>
 #include <vector>
 
 namespace model::io {
@@ -15,16 +14,5 @@ constexpr std::uint64_t MaxPositionBytes = std::uint64_t(32) << 30;
 
 /// Memory for all positions of an animation. \error LimitExceeded, OutOfMemory
 Result<std::vector<Vec3f>> positionMemory(std::uint64_t vertexCount, std::uint64_t frameCount);
-
-/// `work()`, which returns a Result, with running out of memory as an error.
-template <class Work>
-auto catchBadAlloc(const Work &work) -> decltype(work())
-{
-    try {
-        return work();
-    } catch (const std::bad_alloc &) {
-        return fail(ErrorCode::OutOfMemory, "?");
-    }
-}
 
 } // namespace model::io

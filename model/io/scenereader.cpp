@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/scenereader.h"
 
+#include "model/base/outofmemory.h"
 #include "model/base/parallel.h"
 #include "model/io/failure.h"
 #include "model/io/firsterror.h"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/dialogs/picturefiles.h"
 
+#include "model/io/savefile.h"
+
+#include <QBuffer>
 #include <QDir>
-#include <QSaveFile>
+#include <QFile>
 
 namespace views {
 
@@ -10,10 +13,23 @@ using namespace model;
 
 namespace {
 
-Error fileError(ErrorCode code, const QFileDevice &file)
+/// Takes no more once the work was cancelled: to write a large picture takes a second and more.
+class StoppableBuffer final : public QBuffer
 {
-    return Error{code, {file.errorString().toStdString()}, file.fileName().toStdString(), Error::None, Error::None};
-}
+public:
+    explicit StoppableBuffer(const Progress &progress)
+        : mProgress(progress)
+    {}
+
+protected:
+    qint64 writeData(const char *data, qint64 size) override
+    {
+        return mProgress.isCancelled() ? -1 : QBuffer::writeData(data, size);
+    }
+
+private:
+    const Progress mProgress;
+};
 
 QString pictureName(std::size_t index)
 {
@@ -32,7 +48,7 @@ Result<void> writeAll(const QDir &folder, const FrameSourcePtr &source, const st
         if (picture->isNull())
             return fail(ErrorCode::OutOfMemory);
         const QString path = folder.filePath(pictureName(i));
-        if (const auto saved = savePng(path, *picture); !saved)
+        if (const auto saved = savePng(path, *picture, progress); !saved)
             return saved;
         written << path;
         progress.report(double(i + 1) / double(order.size()));
@@ -42,14 +58,17 @@ Result<void> writeAll(const QDir &folder, const FrameSourcePtr &source, const st
 
 } // namespace
 
-Result<void> savePng(const QString &path, const QImage &picture)
+Result<void> savePng(const QString &path, const QImage &picture, const Progress &progress)
 {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return fail(fileError(ErrorCode::CannotOpen, file));
-    if (!picture.save(&file, "PNG") || !file.commit())
-        return fail(fileError(ErrorCode::CannotWrite, file));
-    return {};
+    StoppableBuffer buffer(progress);
+    buffer.open(QIODevice::WriteOnly);
+    const bool isWhole = picture.save(&buffer, "PNG");
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
+    if (!isWhole)
+        return fail(ErrorCode::OutOfMemory);
+    const QByteArray &png = buffer.data();
+    return io::saveBytes(path, {reinterpret_cast<const std::uint8_t *>(png.constData()), std::size_t(png.size())});
 }
 
 Result<void> savePictures(const QString &folder, const FrameSourcePtr &source, const std::vector<std::uint32_t> &order,

@@ -14,8 +14,9 @@
 
 namespace views {
 
-/// Writes a picture as PNG through QSaveFile: all or nothing. \error CannotOpen, CannotWrite
-model::Result<void> savePng(const QString &path, const QImage &picture);
+/// Writes a picture as PNG through io::SaveFile: all or nothing. \error CannotOpen, CannotWrite, OutOfMemory,
+/// Cancelled
+model::Result<void> savePng(const QString &path, const QImage &picture, const model::Progress &progress);
 
 /// Draws a frame; called in a worker; nothing if the work was cancelled meanwhile, a null image if there is not enough
 /// memory for it.

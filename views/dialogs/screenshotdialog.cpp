@@ -53,10 +53,10 @@ QString ScreenshotDialog::outputPath() const
 ExportDialog::Work ScreenshotDialog::work()
 {
     const QImage picture = mFrame ? mViewport.renderPicture(*mFrame, mSize->size()) : QImage();
-    return [picture, path = outputPath()](const model::Progress &) -> model::Result<void> {
+    return [picture, path = outputPath()](const model::Progress &progress) -> model::Result<void> {
         if (picture.isNull())
             return model::fail(model::ErrorCode::OutOfMemory);
-        return savePng(path, picture);
+        return savePng(path, picture, progress);
     };
 }
 

@@ -64,6 +64,26 @@ private slots:
             QCOMPARE(count.load(), 2);
         parallelFor(0, [](std::size_t) { QFAIL("called for nothing"); });
     }
+
+    void whatABodyThrowsReachesTheCaller_data() { everyIndexIsVisitedOnce_data(); }
+    void whatABodyThrowsReachesTheCaller()
+    {
+        QFETCH(unsigned, threads);
+        setThreadCount(threads);
+        constexpr std::size_t Count = 1'000'000, Bad = 10;
+        std::atomic<std::size_t> visited = 0;
+        const auto run = [&] {
+            parallelFor(Count, [&](std::size_t i) {
+                ++visited;
+                if (i == Bad)
+                    throw std::bad_alloc();
+            });
+        };
+        QVERIFY_EXCEPTION_THROWN(run(), std::bad_alloc);
+        setThreadCount(0);
+        QVERIFY(visited > Bad);
+        QVERIFY(visited < Count); // the rest was not begun
+    }
 };
 
 SANDREEL_TEST(TestProgress)

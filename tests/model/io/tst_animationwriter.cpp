@@ -3,10 +3,15 @@
 
 #include "model/base/parallel.h"
 #include "model/io/animationreader.h"
+#include "model/io/animfile.h"
 #include "tests/model/io/iotest.h"
+#include "tests/support/scarcity.h"
 #include "tests/support/testmain.h"
 
+#include <cstring>
+
 #include <QDir>
+#include <QDirIterator>
 #include <QTemporaryDir>
 
 using namespace model;
@@ -124,6 +129,35 @@ private slots:
         }
     }
 
+    /// The disk fills up in the middle: an error that names the file and the reason, and nothing new is left.
+    void fullDiskLeavesNothingBehind()
+    {
+        constexpr std::uint64_t Room = 4000; // for less than one frame, and more than what Qt keeps in memory
+        const WavyFrames frames(5000, 3);
+        tests::put(path("old/notes.txt"), "mine");
+        tests::put(path("a.pc2"), "old");
+        tests::put(path("a.obj"), "old");
+        const QStringList before = everything();
+        const tests::FileSizeLimit limit(Room);
+        const auto check = [&](const Result<void> &written, const QString &file) {
+            SANDREEL_COMPARE_ERROR(written, ErrorCode::CannotWrite);
+            QCOMPARE(tests::argsOf(written.error()), QStringList(QString::fromLocal8Bit(std::strerror(EFBIG))));
+            QVERIFY2(written.error().file.starts_with(path(file).toStdString()), written.error().file.c_str());
+            QCOMPARE(everything(), before);
+        };
+        for (const MeshFormat format : {MeshFormat::Obj, MeshFormat::Off, MeshFormat::Ply}) {
+            check(writeFrames(path("old"), frames, format), "old/frame_000");
+            check(writeFrames(path("new"), frames, format), "new/frame_000");
+            check(writeMesh(path("a.obj"), frames.frame(0), frames.connectivity(), format), "a.obj");
+        }
+        check(writePc2(path("a.pc2"), frames), "a.pc2");
+        check(saveBytes(path("new.anim"), Bytes(100'000)), "new.anim");
+        check(saveBytes(path("small.anim"), Bytes(Room + 1)), "small.anim"); // known only when Qt writes its buffer
+        QCOMPARE(contents(path("a.pc2")), QByteArray("old"));
+        QCOMPARE(contents(path("a.obj")), QByteArray("old"));
+        QVERIFY(saveBytes(path("small.anim"), Bytes(Room)).has_value());
+    }
+
     void folderWithFramesIsLeftAlone()
     {
         tests::put(path("old/frame_0007.obj"), "v 1 2 3\n");
@@ -181,6 +215,17 @@ private slots:
 
 private:
     QString path(const QString &name) const { return mFolder->filePath(name); }
+    /// Every file and folder that there is.
+    QStringList everything() const
+    {
+        QStringList result;
+        QDirIterator entries(mFolder->path(), QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot,
+                             QDirIterator::Subdirectories);
+        while (entries.hasNext())
+            result << entries.next();
+        result.sort();
+        return result;
+    }
 
     std::unique_ptr<QTemporaryDir> mFolder;
 };

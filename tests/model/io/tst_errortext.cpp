@@ -117,6 +117,12 @@ private slots:
         QCOMPARE(errorText(fail(ErrorCode::VertexCountDiffers, "1").value()).count('?'), 2);
     }
 
+    void memoryOfUnknownSizeHasATextToo()
+    {
+        QCOMPARE(errorText(fail(ErrorCode::OutOfMemory).value()),
+                 "There is not enough memory. Close other programs or use a smaller animation.");
+    }
+
     void phrasesAreTranslated()
     {
         Brackets translator;
