@@ -12,7 +12,7 @@ void InputOptions::addTo(CLI::App &command, const std::string &name)
     command
         .add_option(name, path,
                     "A folder of OBJ, OFF, PLY or STL frames, a point cache (PC2, MDD),\n"
-                    "a scene (glTF, FBX), or an .anim file")
+                    "a scene (glTF, FBX, Collada), or an .anim file")
         ->required();
     command.add_option("--base-mesh", baseMesh, "Mesh of a point cache (default: the mesh of the same name beside it)")
         ->type_name("MESH");

@@ -6,11 +6,18 @@
 #include "model/io/filebuffer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <exception>
+#include <future>
+#include <mutex>
 #include <new>
+#include <string_view>
+#include <thread>
+#include <vector>
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include <assimp/IOStream.hpp>
@@ -67,6 +74,9 @@ public:
         , mProgress(progress)
     {}
 
+    /// A file that was opened has this in it.
+    bool hasSeenClips() const { return mHasSeenClips; }
+
     bool Exists(const char *file) const override { return !allowedPath(file).isEmpty(); }
     char getOsSeparator() const override { return '/'; }
     Assimp::IOStream *Open(const char *file, const char *mode) override
@@ -76,7 +86,10 @@ public:
             return nullptr;
         FileBuffer buffer;
         const auto bytes = buffer.load(path, mProgress);
-        return bytes ? new MemoryStream(Bytes(bytes->begin(), bytes->end())) : nullptr;
+        if (!bytes)
+            return nullptr;
+        mHasSeenClips = mHasSeenClips || bytes->find("<animation_clip") != std::string_view::npos;
+        return new MemoryStream(Bytes(bytes->begin(), bytes->end()));
     }
     void Close(Assimp::IOStream *stream) override { delete stream; }
 
@@ -90,6 +103,7 @@ private:
 
     QString mFolder;
     Progress mProgress;
+    bool mHasSeenClips = false;
 };
 
 bool isSound(const aiMesh &mesh)
@@ -129,10 +143,21 @@ bool isSound(const aiScene &scene)
                        [](const aiMesh *mesh) { return isSound(*mesh); });
 }
 
+/// Keeps a thread until it has ended. At the end of the program that is waited for: what the importer works with would
+/// be destroyed under its hands.
+void leaveBehind(std::jthread thread)
+{
+    static std::mutex mutex;
+    static std::vector<std::jthread> threads;
+    const std::lock_guard lock(mutex);
+    threads.push_back(std::move(thread));
+}
+
 } // namespace
 
-ImportedScene::ImportedScene(std::unique_ptr<Assimp::Importer> importer)
+ImportedScene::ImportedScene(std::unique_ptr<Assimp::Importer> importer, bool playsAllAnimations)
     : mImporter(std::move(importer))
+    , mPlaysAllAnimations(playsAllAnimations)
 {}
 ImportedScene::ImportedScene(ImportedScene &&) noexcept = default;
 ImportedScene::~ImportedScene() = default;
@@ -142,22 +167,19 @@ const aiScene &ImportedScene::scene() const
     return *mImporter->GetScene();
 }
 
-Result<ImportedScene> ImportedScene::read(const QString &path, const Progress &progress)
+Result<ImportedScene> ImportedScene::readHere(const QString &path, const Progress &progress)
 {
-    QFile file(path);
-    if (const auto opened = openFile(file); !opened)
-        return fail(opened.error());
-    file.close();
-
     const QFileInfo info(path);
     std::string message;
     try {
         auto importer = std::make_unique<Assimp::Importer>();
-        importer->SetIOHandler(new FolderFiles(info.absolutePath(), progress)); // which the importer owns
+        auto *const files = new FolderFiles(info.absolutePath(), progress);
+        importer->SetIOHandler(files); // which the importer owns
         // No post-processing: it would reorder or join vertices.
         const aiScene *const scene = importer->ReadFile(info.fileName().toStdString(), 0);
+        const bool isCollada = info.suffix().compare(QLatin1String("dae"), Qt::CaseInsensitive) == 0;
         if (scene && isSound(*scene))
-            return ImportedScene(std::move(importer));
+            return ImportedScene(std::move(importer), isCollada && !files->hasSeenClips());
         message = scene ? QT_TRANSLATE_NOOP("ErrorText", "the scene contradicts itself") : importer->GetErrorString();
     } catch (const std::bad_alloc &) {
         throw;
@@ -169,6 +191,27 @@ Result<ImportedScene> ImportedScene::read(const QString &path, const Progress &p
     if (progress.isCancelled())
         return fail(ErrorCode::Cancelled);
     return failIn(path, ErrorCode::ImporterFailed, message);
+}
+
+Result<ImportedScene> ImportedScene::read(const QString &path, const Progress &progress)
+{
+    QFile file(path);
+    if (const auto opened = openFile(file); !opened)
+        return fail(opened.error());
+    file.close();
+
+    // The importer does not look for a cancel (it reports progress at its begin and end alone), so it works in a thread
+    // that can be left to itself.
+    std::packaged_task<Result<ImportedScene>()> import([path, progress] { return readHere(path, progress); });
+    std::future<Result<ImportedScene>> scene = import.get_future();
+    std::jthread thread(std::move(import));
+    constexpr std::chrono::milliseconds Poll(10);
+    while (scene.wait_for(Poll) != std::future_status::ready)
+        if (progress.isCancelled()) {
+            leaveBehind(std::move(thread));
+            return fail(ErrorCode::Cancelled);
+        }
+    return scene.get();
 }
 
 } // namespace model::io

@@ -19,6 +19,7 @@ namespace model::io {
 class ImportedScene
 {
 public:
+    /// Returns at once on a cancel; the importer then ends by itself, and its scene is dropped.
     /// \error ImporterFailed, OutOfMemory, Cancelled, NotFound, CannotOpen
     static Result<ImportedScene> read(const QString &path, const Progress &progress);
 
@@ -27,9 +28,14 @@ public:
 
     const aiScene &scene() const;
 
+    /// Its animations are parts of one, not to choose from.
+    bool playsAllAnimations() const { return mPlaysAllAnimations; }
+
 private:
-    explicit ImportedScene(std::unique_ptr<Assimp::Importer> importer);
+    static Result<ImportedScene> readHere(const QString &path, const Progress &progress);
+    ImportedScene(std::unique_ptr<Assimp::Importer> importer, bool playsAllAnimations);
     std::unique_ptr<Assimp::Importer> mImporter;
+    bool mPlaysAllAnimations;
 };
 
 } // namespace model::io

@@ -6,6 +6,7 @@
 #include "model/io/failure.h"
 #include "model/io/firsterror.h"
 #include "model/io/positionmemory.h"
+#include "model/io/sceneclip.h"
 #include "model/io/sceneimporter.h"
 #include "model/io/weldtrajectories.h"
 #include "model/io/workspaces.h"
@@ -14,6 +15,7 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <span>
 #include <string_view>
 
 #include <QStringList>
@@ -24,14 +26,6 @@
 namespace model::io {
 
 namespace {
-
-constexpr double DefaultFrameRate = 25;
-constexpr double DefaultTicksPerSecond = 25; // assimp's own word for "not said"
-
-double ticksPerSecond(const aiAnimation &animation)
-{
-    return animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : DefaultTicksPerSecond;
-}
 
 /// One of the keys of a node around a time, and how far it is to the next.
 struct KeyPosition
@@ -83,7 +77,14 @@ aiMatrix4x4 localTransform(const aiNode &node, const aiNodeAnim *channel, double
     scaling = valueAt(channel->mScalingKeys, channel->mNumScalingKeys, time, scaling);
     rotation = valueAt(channel->mRotationKeys, channel->mNumRotationKeys, time, rotation);
     position = valueAt(channel->mPositionKeys, channel->mNumPositionKeys, time, position);
-    return {scaling, rotation, position};
+    // Scales first, then turns; assimp's own constructor of these three does it the other way round.
+    aiMatrix4x4 scale;
+    aiMatrix4x4::Scaling(scaling, scale);
+    aiMatrix4x4 result = aiMatrix4x4(rotation.GetMatrix()) * scale;
+    result.a4 = position.x;
+    result.b4 = position.y;
+    result.c4 = position.z;
+    return result;
 }
 
 /// A mesh at a node, as a part of the whole.
@@ -102,12 +103,13 @@ struct Part
 class Baker
 {
 public:
-    Baker(const aiScene &scene, const aiAnimation *animation)
-        : mAnimation(animation)
+    Baker(const aiScene &scene, const SceneClip &clip)
+        : mClip(clip)
     {
         std::map<std::string_view, const aiNodeAnim *> channels;
-        for (unsigned i = 0; animation && i < animation->mNumChannels; ++i)
-            channels.emplace(animation->mChannels[i]->mNodeName.C_Str(), animation->mChannels[i]);
+        for (const aiAnimation *animation : clip.animations())
+            for (unsigned i = 0; i < animation->mNumChannels; ++i)
+                channels.emplace(animation->mChannels[i]->mNodeName.C_Str(), animation->mChannels[i]);
         addNode(*scene.mRootNode, NoParent, channels);
         for (std::size_t node = 0; node < mNodes.size(); ++node)
             for (unsigned i = 0; i < mNodes[node].node->mNumMeshes; ++i)
@@ -195,18 +197,19 @@ private:
     /// glTF names the node, FBX the mesh, with "*" and a number behind.
     const aiMeshMorphAnim *morphChannelOf(const aiMesh &mesh, const aiNode &node) const
     {
-        if (!mAnimation || !mesh.mNumAnimMeshes)
+        if (!mesh.mNumAnimMeshes)
             return nullptr;
         const auto bare = [](const aiString &name) {
             const std::string_view text = name.C_Str();
             return text.substr(0, text.rfind('*'));
         };
-        for (unsigned i = 0; i < mAnimation->mNumMorphMeshChannels; ++i) {
-            const aiMeshMorphAnim *const channel = mAnimation->mMorphMeshChannels[i];
-            if (channel->mNumKeys &&
-                (bare(channel->mName) == bare(node.mName) || bare(channel->mName) == bare(mesh.mName)))
-                return channel;
-        }
+        for (const aiAnimation *animation : mClip.animations())
+            for (unsigned i = 0; i < animation->mNumMorphMeshChannels; ++i) {
+                const aiMeshMorphAnim *const channel = animation->mMorphMeshChannels[i];
+                if (channel->mNumKeys &&
+                    (bare(channel->mName) == bare(node.mName) || bare(channel->mName) == bare(mesh.mName)))
+                    return channel;
+            }
         return nullptr;
     }
 
@@ -278,57 +281,12 @@ private:
                 transform(vertices + i, globals[part.node], out.subspan(i, 1));
     }
 
-    const aiAnimation *mAnimation;
+    const SceneClip &mClip;
     std::vector<Node> mNodes;
     std::map<std::string_view, std::size_t> mNodeByName;
     std::vector<Part> mParts;
     Connectivity mConnectivity;
 };
-
-void addTimes(std::vector<double> &times, const auto *keys, unsigned count)
-{
-    if (count > times.size()) {
-        times.clear();
-        std::transform(keys, keys + count, std::back_inserter(times), [](const auto &key) { return key.mTime; });
-    }
-}
-
-/// Frames per second of the animation's keys: of the usual gap in the channel with the most keys. Formats store no
-/// rate, and most exporters write a key per frame.
-double keyRate(const aiAnimation &animation)
-{
-    constexpr double MinRate = 1, MaxRate = 240;
-    std::vector<double> times;
-    for (unsigned i = 0; i < animation.mNumChannels; ++i) {
-        const aiNodeAnim &channel = *animation.mChannels[i];
-        addTimes(times, channel.mPositionKeys, channel.mNumPositionKeys);
-        addTimes(times, channel.mRotationKeys, channel.mNumRotationKeys);
-        addTimes(times, channel.mScalingKeys, channel.mNumScalingKeys);
-    }
-    for (unsigned i = 0; i < animation.mNumMorphMeshChannels; ++i)
-        addTimes(times, animation.mMorphMeshChannels[i]->mKeys, animation.mMorphMeshChannels[i]->mNumKeys);
-    if (times.size() < 2)
-        return DefaultFrameRate;
-    std::vector<double> gaps;
-    for (std::size_t i = 1; i < times.size(); ++i)
-        gaps.push_back(times[i] - times[i - 1]);
-    std::nth_element(gaps.begin(), gaps.begin() + std::ptrdiff_t(gaps.size() / 2), gaps.end());
-    const double rate = ticksPerSecond(animation) / gaps[gaps.size() / 2];
-    if (!(rate >= MinRate && rate <= MaxRate))
-        return DefaultFrameRate;
-    // Key times are 32-bit floats of seconds: a rate that close to a whole one is meant to be whole.
-    constexpr double Precision = 1e-3;
-    return std::abs(rate - std::round(rate)) < Precision * rate ? std::round(rate) : rate;
-}
-
-/// Frames at 0, 1/rate, ... up to the end, which may lie a rounding error before its frame.
-double frameCountOf(const aiAnimation *animation, double rate)
-{
-    constexpr double Slack = 1e-3; // of a frame
-    if (!animation || !(animation->mDuration > 0))
-        return 1;
-    return std::floor(animation->mDuration / ticksPerSecond(*animation) * rate + Slack) + 1;
-}
 
 } // namespace
 
@@ -344,18 +302,21 @@ Result<std::shared_ptr<const Sequence>> readScene(const QString &path, double fr
     if (!imported)
         return fail(imported.error());
     const aiScene &scene = imported->scene();
-    const int animationCount = std::max(1, int(scene.mNumAnimations));
-    if (animationIndex < 0 || animationIndex >= animationCount)
+    const std::span<aiAnimation *const> animations(scene.mAnimations, scene.mNumAnimations);
+    const int choices = imported->playsAllAnimations() ? 1 : std::max(1, int(animations.size()));
+    if (animationIndex < 0 || animationIndex >= choices)
         return failIn(path, ErrorCode::BadSetting, QT_TRANSLATE_NOOP("ErrorText", "The number of the animation"),
-                      std::to_string(animationIndex), "0.." + std::to_string(animationCount - 1));
-    const aiAnimation *const animation = scene.mNumAnimations ? scene.mAnimations[animationIndex] : nullptr;
+                      std::to_string(animationIndex), "0.." + std::to_string(choices - 1));
+    const bool isAll = imported->playsAllAnimations() || animations.empty();
+    const auto chosen = isAll ? animations : animations.subspan(std::size_t(animationIndex), 1);
+    const SceneClip clip({chosen.begin(), chosen.end()});
 
-    Baker baker(scene, animation);
+    Baker baker(scene, clip);
     const std::size_t vertexCount = baker.connectivity().vertexCount;
     if (vertexCount == 0)
         return failIn(path, ErrorCode::NoAnimation, QT_TRANSLATE_NOOP("ErrorText", "there is no mesh in it"));
-    const double rate = frameRate > 0 ? frameRate : animation ? keyRate(*animation) : DefaultFrameRate;
-    const double frameCount = frameCountOf(animation, rate);
+    const double rate = frameRate > 0 ? frameRate : clip.keyRate();
+    const double frameCount = clip.frameCount(rate);
     constexpr double MaxFrames = 1e6;
     if (!(frameCount <= MaxFrames))
         return failIn(path, ErrorCode::LimitExceeded, QT_TRANSLATE_NOOP("ErrorText", "the number of frames"),
@@ -372,8 +333,7 @@ Result<std::shared_ptr<const Sequence>> readScene(const QString &path, double fr
             return;
         const std::span<Vec3f> out = std::span(*positions).subspan(frame * vertexCount, vertexCount);
         const auto baked = catchBadAlloc([&]() -> Result<void> {
-            const double time = animation ? double(frame) / rate * ticksPerSecond(*animation) : 0;
-            baker.bake(time, out, *workspaces.take());
+            baker.bake(clip.timeOf(double(frame), rate), out, *workspaces.take());
             if (const auto bad = std::find_if_not(out.begin(), out.end(), isFinite); bad != out.end())
                 return fail(ErrorCode::NonFinite, "vertex " + std::to_string(bad - out.begin()));
             return {};
@@ -386,7 +346,8 @@ Result<std::shared_ptr<const Sequence>> readScene(const QString &path, double fr
         return fail(ErrorCode::Cancelled);
     if (firstError)
         return failIn(path, firstError.take());
-    weldTrajectories(baker.connectivity(), *positions);
+    if (auto welded = weldTrajectories(baker.connectivity(), *positions, progress); !welded)
+        return fail(std::move(welded.error()));
     return std::make_shared<const Sequence>(std::move(baker.connectivity()), std::move(*positions), rate,
                                             std::move(name));
 }

@@ -10,8 +10,9 @@
 namespace model::io {
 
 /// Reads a scene (glTF, GLB, FBX, Collada) and bakes one of its animations to vertices: node transforms, skins and
-/// morph targets at the times 0, 1/rate, 2/rate, ... All meshes become one connectivity, in the scene's coordinates;
-/// polygons become fans; points and lines are skipped. A scene without animations gives one frame.
+/// morph targets at the first key and 1/rate, 2/rate, ... after it. All meshes become one connectivity, in the scene's
+/// coordinates; polygons become fans; points and lines are skipped. A scene without animations gives one frame. The
+/// animations of a Collada file are one, as each exporter writes one for each object, unless it has clips.
 ///
 /// Such files split vertices where normals or texture coordinates have seams, which matter to nobody here: vertices
 /// that are at exactly the same place in every frame become one, the first of them.
