@@ -94,11 +94,11 @@ void TestCommandLine::usageErrors_data()
     row("a second input", {"info", in, in});
     row("encode: no output", {"encode", in});
     row("encode: other ending", {"encode", in, "-o", path("x.obj")});
-    row("encode: basis 0", {"encode", in, "-o", anim, "--basis", "0"});
-    row("encode: basis too large", {"encode", in, "-o", anim, "--basis", "1001"});
-    row("encode: basis no number", {"encode", in, "-o", anim, "--basis", "ten"});
-    row("encode: resolution 0", {"encode", in, "-o", anim, "--resolution", "0"});
-    row("encode: resolution nan", {"encode", in, "-o", anim, "--resolution", "nan"});
+    row("encode: basis 0", {"encode", in, "-o", anim, "--codec", "pca", "--basis", "0"});
+    row("encode: basis too large", {"encode", in, "-o", anim, "--codec", "pca", "--basis", "1001"});
+    row("encode: basis no number", {"encode", in, "-o", anim, "--codec", "pca", "--basis", "ten"});
+    row("encode: resolution 0", {"encode", in, "-o", anim, "--codec", "pca", "--resolution", "0"});
+    row("encode: resolution nan", {"encode", in, "-o", anim, "--codec", "pca", "--resolution", "nan"});
     row("encode: codec", {"encode", in, "-o", anim, "--codec", "zip"});
     row("encode: no such option with pca", {"encode", in, "-o", anim, "--codec", "pca", "--predictor", "A"});
     row("encode: no such option with direct", {"encode", in, "-o", anim, "--codec", "direct", "--basis", "5"});
@@ -256,7 +256,7 @@ void TestCommandLine::limitIsAnError()
     for (model::Vec3f &p : huge.positions)
         p = p * 1e30f;
     tests::writeObjFolder(path("huge"), *tests::oneFrame(huge));
-    SANDREEL_RUN(run, 5, {"encode", path("huge"), "-o", path("huge.anim"), "--resolution", "1e7"});
+    SANDREEL_RUN(run, 5, {"encode", path("huge"), "-o", path("huge.anim"), "--codec", "pca", "--resolution", "1e7"});
     QVERIFY(!QFile::exists(path("huge.anim")));
 }
 
@@ -272,7 +272,8 @@ void TestCommandLine::decimalCommaOfTheLocaleDoesNotMatter()
     german.insert("LOCPATH", path("locales"));
     german.insert("LC_ALL", "de_DE.UTF-8");
     const auto arguments = [this](const char *output) {
-        return QStringList{"encode", path("in"), "-o", path(output), "--fps", "29.97", "--resolution", "1234.5"};
+        return QStringList{"encode", path("in"), "-o",  path(output),   "--fps",
+                           "29.97",  "--codec",  "pca", "--resolution", "1234.5"};
     };
     SANDREEL_RUN(here, 0, arguments("here.anim"));
     SANDREEL_RUN(there, 0, arguments("there.anim"), QString(), german);

@@ -85,7 +85,8 @@ void TestCompare::figuresAreThoseOfTheDefinition()
 void TestCompare::permutationOfEncodeIsTaken()
 {
     SANDREEL_RUN(encode, 0,
-                 {"encode", path("test"), "-o", path("p.anim"), "--basis", "3", "--permutation", path("p.txt")});
+                 {"encode", path("test"), "-o", path("p.anim"), "--codec", "pca", "--basis", "3", "--permutation",
+                  path("p.txt")});
     SANDREEL_RUN(decode, 0, {"decode", path("p.anim"), "-o", path("p.pc2")});
     const auto cache = tests::readPc2(path("p.pc2"));
     QVERIFY(cache.has_value());
@@ -137,8 +138,8 @@ void TestCompare::equalAnimationsHaveNoError()
 void TestCompare::normalisesTheReference()
 {
     SANDREEL_RUN(encode, 0,
-                 {"encode", path("test"), "-o", path("n.anim"), "--normalize", "all", "--basis", "100", "--permutation",
-                  path("n.txt")});
+                 {"encode", path("test"), "-o", path("n.anim"), "--normalize", "all", "--codec", "pca", "--basis",
+                  "100", "--permutation", path("n.txt")});
     const QStringList arguments{"--json", "compare", path("test"), path("n.anim"), "--permutation", path("n.txt")};
     SANDREEL_RUN(apart, 0, arguments);
     QVERIFY(apart.json().value("kg_error_percent").toDouble() > 10);

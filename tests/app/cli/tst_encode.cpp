@@ -70,8 +70,8 @@ void TestEncode::encodesEveryAnimation()
     const QString base = mFolder.filePath(QStringLiteral("shape%1").arg(index));
     tests::writeObjFolder(base, original);
     SANDREEL_RUN(encode, 0,
-                 {"encode", base, "-o", base + ".anim", "--basis", "200", "--resolution", "1e6", "--permutation",
-                  base + ".txt"});
+                 {"encode", base, "-o", base + ".anim", "--codec", "pca", "--basis", "200", "--resolution", "1e6",
+                  "--permutation", base + ".txt"});
     SANDREEL_RUN(decode, 0, {"decode", base + ".anim", "-o", base + ".pc2"});
 
     const auto order = tests::readPermutation(base + ".txt");
@@ -96,8 +96,8 @@ void TestEncode::sameInputSameBytes()
 void TestEncode::infoAgreesWithTheFile()
 {
     SANDREEL_RUN(encode, 0,
-                 {"encode", path("torus"), "-o", path("i.anim"), "--basis", "7", "--resolution", "5000", "--fps", "12",
-                  "--name", "Tōrus", "--json"});
+                 {"encode", path("torus"), "-o", path("i.anim"), "--codec", "pca", "--basis", "7", "--resolution",
+                  "5000", "--fps", "12", "--name", "Tōrus", "--json"});
     SANDREEL_RUN(info, 0, {"--json", "info", path("i.anim")});
     const QJsonObject json = info.json();
     const double bytes = double(tests::readFile(path("i.anim")).size());
@@ -140,8 +140,8 @@ void TestEncode::infoOfFrames()
 void TestEncode::measuresWhatWasLost()
 {
     SANDREEL_RUN(encode, 0,
-                 {"encode", path("torus"), "-o", path("m.anim"), "--basis", "4", "--permutation", path("m.txt"),
-                  "--measure", "--json"});
+                 {"encode", path("torus"), "-o", path("m.anim"), "--codec", "pca", "--basis", "4", "--permutation",
+                  path("m.txt"), "--measure", "--json"});
     SANDREEL_RUN(decode, 0, {"decode", path("m.anim"), "-o", path("m.pc2")});
     const auto cache = tests::readPc2(path("m.pc2"));
     QVERIFY(cache.has_value());
@@ -166,8 +166,8 @@ void TestEncode::normalisesIntoTheCube()
 {
     QFETCH(const int, framesInCube);
     SANDREEL_RUN(encode, 0,
-                 {"encode", path("torus"), "-o", path("n.anim"), "--basis", "100", "--resolution", "1e6", "--normalize",
-                  QTest::currentDataTag()});
+                 {"encode", path("torus"), "-o", path("n.anim"), "--codec", "pca", "--basis", "100", "--resolution",
+                  "1e6", "--normalize", QTest::currentDataTag()});
     SANDREEL_RUN(decode, 0, {"decode", path("n.anim"), "-o", path("n.pc2")});
     auto cache = tests::readPc2(path("n.pc2"));
     QVERIFY(cache.has_value());
@@ -186,7 +186,7 @@ void TestEncode::normalisesIntoTheCube()
 void TestEncode::rateAndNameAreKept()
 {
     SANDREEL_RUN(first, 0, {"encode", path("torus"), "-o", path("r.anim"), "--fps", "48", "--name", "Wheel"});
-    SANDREEL_RUN(again, 0, {"encode", path("r.anim"), "-o", path("r2.anim"), "--basis", "5"});
+    SANDREEL_RUN(again, 0, {"encode", path("r.anim"), "-o", path("r2.anim"), "--codec", "pca", "--basis", "5"});
     SANDREEL_RUN(info, 0, {"--json", "info", path("r2.anim")});
     QCOMPARE(info.json().value("frame_rate").toDouble(), 48.0);
     QCOMPARE(info.json().value("name").toString(), QStringLiteral("Wheel"));
@@ -209,7 +209,9 @@ void TestEncode::moreBasisIsMoreExact()
 {
     double before = 1000;
     for (const char *basis : {"1", "10", "60"}) {
-        SANDREEL_RUN(run, 0, {"encode", path("torus"), "-o", path("b.anim"), "--basis", basis, "--measure", "--json"});
+        SANDREEL_RUN(
+            run, 0,
+            {"encode", path("torus"), "-o", path("b.anim"), "--codec", "pca", "--basis", basis, "--measure", "--json"});
         const double error = run.json().value("kg_error_percent").toDouble();
         QVERIFY(error < before);
         before = error;

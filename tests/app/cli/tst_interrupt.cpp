@@ -91,8 +91,8 @@ void TestInterrupt::interruptedWorkLeavesNothing_data()
     QTest::addColumn<QString>("stage");
     QTest::addColumn<int>("signal");
     const QString in = path("long");
-    const QStringList encode{"encode",  in,     "-o",           path("x.anim"), "--permutation", path("x.txt"),
-                             "--basis", "1000", "--resolution", "1e6",          "--measure"};
+    const QStringList encode{"encode", in,        "-o",   path("x.anim"), "--permutation", path("x.txt"), "--codec",
+                             "pca",    "--basis", "1000", "--resolution", "1e6",           "--measure"};
     const QStringList render{"render", in, "-o", path("p%d.png"), "--size", "1920x1080"};
     QTest::newRow("encode, while reading") << encode << "" << SIGINT;
     QTest::newRow("encode") << encode << "Encoding" << SIGINT;

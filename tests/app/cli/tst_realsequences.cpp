@@ -52,9 +52,9 @@ void TestRealSequences::encodeInfoDecodeCompare()
     const QString anim = mFolder.filePath(name + ".anim"), order = mFolder.filePath(name + ".txt"),
                   decoded = mFolder.filePath(name + ".pc2"), mesh = mFolder.filePath(name + ".obj");
 
-    SANDREEL_RUN(
-        encode, 0,
-        {"encode", input, "-o", anim, "--basis", "10", "--normalize", "first", "--permutation", order, "--json"});
+    SANDREEL_RUN(encode, 0,
+                 {"encode", input, "-o", anim, "--codec", "pca", "--basis", "10", "--normalize", "first",
+                  "--permutation", order, "--json"});
     SANDREEL_RUN(info, 0, {"--json", "info", anim});
     QCOMPARE(info.json().value("vertices").toInt(), vertexCount);
     QCOMPARE(info.json().value("triangles").toInt(), triangleCount);

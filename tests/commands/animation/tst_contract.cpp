@@ -61,7 +61,7 @@ const std::vector<Row> &unchanging()
         row<NormaliseAnimation>("normalise", "", model::Similarity()),
         row<RenameAnimation>("rename", "", std::string("wave")),
         row<ResampleAnimation>("resample", "", 25.0),
-        row<SetCompression>("compression", "", model::CompressionSettings()),
+        row<SetCompression>("compression", "", model::CompressionSettings{model::PcaSettings()}),
         row<SetFrameRate>("frame rate", "", 25.0),
         row<TrimAnimation>("trim", "", 0u, 9u),
     };
@@ -70,13 +70,15 @@ const std::vector<Row> &unchanging()
 
 std::unique_ptr<AnimationDocument> document()
 {
-    return std::make_unique<AnimationDocument>(tests::wave(tests::cube(), 10));
+    return std::make_unique<AnimationDocument>(tests::wave(tests::cube(), 10),
+                                               model::CompressionSettings{model::PcaSettings()});
 }
 
 /// A document that was edited already: no value is that of the source.
 std::unique_ptr<AnimationDocument> editedDocument()
 {
-    auto edited = std::make_unique<AnimationDocument>(tests::noise(tests::grid(), 24));
+    auto edited = std::make_unique<AnimationDocument>(tests::noise(tests::grid(), 24),
+                                                    model::CompressionSettings{model::PcaSettings()});
     edited->setTiming({model::TimeMap::identity(24).reversed().trimmed(3, 20).resampled(30, 17), 25});
     edited->setPlacement({3, {0, -1, 0.5}});
     edited->setName("edited");

@@ -24,7 +24,7 @@ class TestSetCompression final : public QObject
 private slots:
     void init()
     {
-        mDocument.setCompression({});
+        mDocument.setCompression(withBasis(20));
         mContext = std::make_unique<EditContext>(mDocument);
     }
 

@@ -131,7 +131,7 @@ private slots:
 private:
     std::shared_ptr<const codec::DecodedAnimation> encodeAndOpen()
     {
-        const auto encoded = codec::encodeAnimation(WavyFrames(40, 8), {});
+        const auto encoded = codec::encodeAnimation(WavyFrames(40, 8), {PcaSettings()});
         if (!encoded || !saveBytes(path("wavy.anim"), encoded->bytes))
             qFatal("cannot make an animation");
         return *openAnim(path("wavy.anim"));

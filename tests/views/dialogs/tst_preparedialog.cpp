@@ -66,6 +66,7 @@ private slots:
     {
         mFolder = std::make_unique<QTemporaryDir>();
         QSettings().clear();
+        QSettings().setValue("prepareDialog/compression", "pca basis=20 resolution=10000");
         QLocale::setDefault(QLocale("en_US"));
     }
     void cleanup() { QLocale::setDefault(QLocale::c()); }
