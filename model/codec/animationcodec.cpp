@@ -5,6 +5,7 @@
 #include "model/codec/container.h"
 #include "model/codec/direct/directcodec.h"
 #include "model/codec/pcacodec.h"
+#include "model/codec/reel/reelcodec.h"
 #include "model/codec/syntax.h"
 
 namespace model::codec {
@@ -62,7 +63,7 @@ Result<void> checkSource(const FrameSource &source)
 
 std::span<const CodecId> availableCodecs()
 {
-    static constexpr std::array Codecs{CodecId::Pca, CodecId::Direct};
+    static constexpr std::array Codecs{CodecId::Reel, CodecId::Pca, CodecId::Direct};
     return Codecs;
 }
 
@@ -78,6 +79,8 @@ Result<EncodedAnimation> encodeAnimation(const FrameSource &source, const Compre
         return encodePca(source, *pca, progress);
     if (const auto *direct = std::get_if<DirectSettings>(&settings.method))
         return encodeDirect(source, *direct, progress);
+    if (const auto *reel = std::get_if<ReelSettings>(&settings.method))
+        return encodeReel(source, *reel, settings.keepOrder, progress);
     return fail(ErrorCode::UnknownCodec, std::to_string(int(settings.codec())));
 }
 
@@ -92,6 +95,8 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeAnimation(Bytes file, cons
         return decodePca(std::move(file), *container, limits, progress);
     case CodecId::Direct:
         return decodeDirect(std::move(file), *container, limits, progress);
+    case CodecId::Reel:
+        return decodeReel(std::move(file), *container, limits, progress);
     default:
         break;
     }

@@ -107,6 +107,11 @@ const std::string &creatorName()
     return name;
 }
 
+bool Container::has(std::string_view tag) const
+{
+    return std::any_of(chunks.begin(), chunks.end(), [&](const Chunk &chunk) { return chunk.tag == tag; });
+}
+
 Result<Chunk> Container::only(std::string_view tag) const
 {
     const auto hasTag = [&](const Chunk &chunk) { return chunk.tag == tag; };

@@ -64,6 +64,7 @@ struct Container
     Header header;
     std::vector<Chunk> chunks; ///< in the order of the file, the header's and the end's included
 
+    bool has(std::string_view tag) const;
     /// The chunk with this tag. \error MissingChunk, DuplicateChunk
     Result<Chunk> only(std::string_view tag) const;
 };

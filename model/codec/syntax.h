@@ -22,6 +22,7 @@ class SyntaxWriter
 {
 public:
     bool u8(std::uint8_t value) { return mOut.u8(value), true; }
+    bool f32(float value) { return mOut.f32(value), true; }
     bool f64(double value) { return mOut.f64(value), true; }
     template <class Integer>
     bool varUint(Integer value)
@@ -47,6 +48,7 @@ public:
     {}
 
     bool u8(std::uint8_t &value) { return value = mIn.u8(), mIn.ok(); }
+    bool f32(float &value) { return value = mIn.f32(), mIn.ok(); }
     bool f64(double &value) { return value = mIn.f64(), mIn.ok(); }
     template <class Integer>
     bool varUint(Integer &value)

@@ -3,6 +3,7 @@
 
 #include "model/codec/direct/directtrials.h"
 #include "model/codec/pcacodec.h"
+#include "model/codec/reel/reelcodec.h"
 
 namespace model::codec {
 
@@ -15,6 +16,8 @@ Result<std::unique_ptr<TrialEncoder>> prepareTrials(const FrameSource &source, C
         return prepareDirectTrials(source, progress);
     case CodecId::Pca:
         return preparePcaTrials(source, progress);
+    case CodecId::Reel:
+        return prepareReelTrials(source, progress);
     default:
         return fail(ErrorCode::UnknownCodec, std::to_string(int(codec)));
     }

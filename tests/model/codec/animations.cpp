@@ -127,6 +127,16 @@ PlainAnimation normalised(const PlainAnimation &animation)
     return result;
 }
 
+PlainAnimation reordered(const PlainAnimation &animation, const std::vector<std::uint32_t> &permutation)
+{
+    std::vector<std::vector<Vec3f>> frames;
+    for (std::uint32_t f = 0; f < animation.frameCount(); ++f)
+        frames.push_back(animation.frame(f));
+    return {animation.frameCount(), animation.vertexCount(), {}, [&](std::uint32_t f, std::uint32_t v) {
+                return frames[f][permutation[v]];
+            }};
+}
+
 double kgErrorPercent(const FrameSource &reference, const FrameSource &test)
 {
     double error = 0;

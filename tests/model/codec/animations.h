@@ -56,6 +56,9 @@ std::shared_ptr<PlainAnimation> readPointCache(const std::string &folder);
 /// Moved and scaled to fit the cube -1 ... 1.
 PlainAnimation normalised(const PlainAnimation &animation);
 
+/// The animation with its vertices in another order, without triangles: vertex v is what vertex permutation[v] was.
+PlainAnimation reordered(const PlainAnimation &animation, const std::vector<std::uint32_t> &permutation);
+
 /// 100 * |v - w| / |v - mean of the frame|, Frobenius, in plain double.
 double kgErrorPercent(const model::FrameSource &reference, const model::FrameSource &test);
 /// The largest difference of a coordinate.

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/codec/productanimation.h"
+
+#include "model/codec/kernels.h"
+
+namespace model::codec {
+
+namespace {
+
+std::uint64_t tileCount(std::uint64_t vertices)
+{
+    return (vertices + TileVertices - 1) / TileVertices;
+}
+
+} // namespace
+
+ProductAnimation::ProductAnimation(Header header, const CompressionSettings &settings, std::uint32_t basisSize,
+                                   std::uint32_t rank)
+    : mHeader(std::move(header))
+    , mSettings(settings)
+    , mBasisSize(basisSize)
+    , mRank(rank)
+    , mBasis(std::size_t(3) * mHeader.frameCount * rank)
+    , mTiles(std::size_t(tileCount(mHeader.vertexCount)) * TileVertices * rank)
+{}
+
+void ProductAnimation::setFile(Bytes file, std::uint64_t digest)
+{
+    mFile = std::move(file);
+    mDigest = digest;
+}
+
+void ProductAnimation::setCoefficient(std::uint32_t k, std::size_t vertex, double value)
+{
+    mTiles[(vertex / TileVertices * mRank + k) * TileVertices + vertex % TileVertices] = float(value);
+}
+
+void ProductAnimation::positions(std::uint32_t frame, std::span<Vec3f> out) const
+{
+    const double *mean = mMeans.data() + std::size_t(3) * frame;
+    float start[6];
+    for (int axis = 0; axis < 3; ++axis) {
+        start[axis] = float(mean[axis]);
+        start[3 + axis] = float(mean[axis] - double(start[axis]));
+    }
+    kernels().reconstruct(mTiles.data(), mRank, mBasis.data() + std::size_t(3) * frame * mRank, start, out.size(),
+                          &out.data()->x);
+}
+
+std::size_t ProductAnimation::memoryBytes() const
+{
+    return sizeof *this + mFile.capacity() + mHeader.creator.capacity() + mHeader.name.capacity() +
+           mHeader.extra.capacity() + mConnectivity.triangles.capacity() * sizeof(Triangle) +
+           mMeans.capacity() * sizeof(double) + mBasis.capacity() * sizeof(float) + mTiles.capacity() * sizeof(float);
+}
+
+std::uint64_t ProductAnimation::neededBytes(const Header &header, std::uint32_t rank)
+{
+    return sizeof(ProductAnimation) + std::uint64_t(header.triangleCount) * sizeof(Triangle) +
+           std::uint64_t(header.vertexCount) * sizeof(Vec3f) +
+           std::uint64_t(header.frameCount) * 3 * (sizeof(double) + sizeof(std::int64_t) + rank * sizeof(float)) +
+           tileCount(header.vertexCount) * TileVertices * rank * sizeof(float);
+}
+
+} // namespace model::codec

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/codec/animationcodec.h"
+#include "model/codec/container.h"
+
+namespace model::codec {
+
+/// An opened animation that is a product of basis and coefficients: each frame is its mean vertex plus the sum over k
+/// of its three entries of trajectory k times the vertex's coefficient k.
+class ProductAnimation final : public DecodedAnimation
+{
+public:
+    /// \param basisSize  what basisSize() says
+    /// \param rank       trajectories of the product; more where a codec keeps something beside its basis
+    ProductAnimation(Header header, const CompressionSettings &settings, std::uint32_t basisSize, std::uint32_t rank);
+
+    // The decoder fills the parts, then hands the animation out as const. Different k may be set from several threads.
+    void setFile(Bytes file, std::uint64_t digest);
+    void setConnectivity(Connectivity connectivity) { mConnectivity = std::move(connectivity); }
+    void setMeans(std::vector<double> means) { mMeans = std::move(means); } ///< #F x 3
+    void setBasis(std::uint32_t k, std::size_t row, double value) { mBasis[row * mRank + k] = float(value); }
+    void setCoefficient(std::uint32_t k, std::size_t vertex, double value);
+
+    std::uint32_t frameCount() const override { return mHeader.frameCount; }
+    const Connectivity &connectivity() const override { return mConnectivity; }
+    void positions(std::uint32_t frame, std::span<Vec3f> out) const override;
+    double frameRate() const override { return mHeader.frameRate; }
+    const std::string &name() const override { return mHeader.name; }
+    std::uint64_t digest() const override { return mDigest; }
+    std::size_t memoryBytes() const override;
+
+    const CompressionSettings &settings() const override { return mSettings; }
+    const std::string &creator() const override { return mHeader.creator; }
+    std::uint32_t basisSize() const override { return mBasisSize; }
+    std::uint64_t encodedBytes() const override { return mFile.size(); }
+    const Bytes &encoded() const override { return mFile; }
+
+    /// Bytes that an animation of this size will hold with one frame of it, its file not counted; for refusing a
+    /// hostile file in time.
+    static std::uint64_t neededBytes(const Header &header, std::uint32_t rank);
+
+private:
+    Header mHeader;
+    CompressionSettings mSettings;
+    std::uint32_t mBasisSize;
+    std::uint32_t mRank;
+    Bytes mFile;
+    std::uint64_t mDigest = 0;
+    Connectivity mConnectivity;
+    std::vector<double> mMeans; ///< #F x 3
+    std::vector<float> mBasis;  ///< #F x 3 x #rank: what one frame needs lies together
+    std::vector<float> mTiles;  ///< coefficients, see Kernels::reconstruct
+};
+
+} // namespace model::codec
