@@ -35,8 +35,7 @@ model::Result<void> Decode::run(Console &console) const
     const bool isCache = ending == QLatin1String("pc2");
     if (!isCache && model::io::readableEndings().contains(ending))
         return model::fail(model::ErrorCode::BadSetting, "--output", output, "a folder, or a file that ends in .pc2");
-    if (auto checked = checkOutputs({{"--output", isCache ? output : std::string()}, {"--mesh", mesh}},
-                                    {input.path, input.baseMesh});
+    if (auto checked = checkOutputs({{"--output", output, !isCache}, {"--mesh", mesh}}, {input.path, input.baseMesh});
         !checked)
         return checked;
     model::io::MeshFormat baseFormat = format;

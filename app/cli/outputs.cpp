@@ -26,6 +26,8 @@ QString identityOf(const std::string &path)
 
 model::Result<void> checkPlace(const Output &output)
 {
+    if (output.isFolder) // made if it is missing, and looked at by who writes into it
+        return {};
     const QString path = fromUtf8(output.path);
     const QFileInfo file(path);
     if (file.exists() && !file.isFile())
@@ -54,8 +56,9 @@ model::Result<void> checkOutputs(const std::vector<Output> &outputs, const std::
         const auto same = std::find(taken.begin(), taken.end(), identity);
         if (same != taken.end())
             return model::fail(model::ErrorCode::BadSetting, output.option, output.path,
-                               same < taken.begin() + std::ptrdiff_t(inputCount) ? "a file that is not an input"
-                                                                                 : "a file of its own");
+                               output.isFolder                                     ? "a folder that is not the input"
+                               : same < taken.begin() + std::ptrdiff_t(inputCount) ? "a file that is not an input"
+                                                                                   : "a file of its own");
         taken.push_back(identity);
         if (auto checked = checkPlace(output); !checked)
             return checked;

@@ -7,11 +7,12 @@
 
 namespace cli {
 
-/// A file that a sub-command is asked to write.
+/// A file, or a folder of frames, that a sub-command is asked to write.
 struct Output
 {
     const char *option;
     std::string path; ///< empty: not asked for
+    bool isFolder = false;
 };
 
 /// Finds out before the work what would only come to light after it, when the result is lost.

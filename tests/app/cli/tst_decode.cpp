@@ -19,6 +19,7 @@ private slots:
     void baseMeshIsTheFirstFrame();
     void pointCacheIsReadBack();
     void framesAlreadyThereAreKept();
+    void inputFolderIsNoOutput();
     void outputThatCannotBeWritten_data();
     void outputThatCannotBeWritten();
 
@@ -113,6 +114,18 @@ void TestDecode::framesAlreadyThereAreKept()
     SANDREEL_RUN(run, 4, {"decode", path("in.anim"), "-o", path("full")});
     QCOMPARE(tests::contentsOf(path("full")), QStringList{"frame_0002.obj"});
     QCOMPARE(tests::readFile(path("full/frame_0002.obj")), QByteArray("mine"));
+}
+
+/// Frames of another format would not be in the way of one another, but nobody could tell the two animations apart.
+void TestDecode::inputFolderIsNoOutput()
+{
+    SANDREEL_RUN(write, 0, {"decode", path("in.anim"), "-o", path("both"), "--format", "off"});
+    const QStringList before = tests::contentsOf(path("both"));
+    for (const QString &target : {path("both"), path("both/"), path("both/../both")}) {
+        SANDREEL_RUN(run, 2, {"decode", path("both"), "-o", target, "--format", "obj"});
+        QVERIFY2(run.err.contains("a folder that is not the input"), run.err.constData());
+        QCOMPARE(tests::contentsOf(path("both")), before);
+    }
 }
 
 void TestDecode::outputThatCannotBeWritten_data()
