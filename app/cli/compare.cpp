@@ -4,6 +4,7 @@
 #include "model/animation/hausdorff.h"
 #include "model/animation/metrics.h"
 #include "model/animation/sted.h"
+#include "model/codec/connectivity/codedorder.h"
 #include "model/io/animfile.h"
 
 #include <QJsonArray>
@@ -232,7 +233,15 @@ model::Result<void> Compare::run(Console &console) const
     const auto tested = testInput.read(console.progress("Reading"));
     if (!tested)
         return model::fail(tested.error());
-    const auto result = measure(**placed, **tested, *order, console);
+    std::vector<std::uint32_t> matching = *order;
+    if (permutation.empty()) { // vertices that our own encoder reordered are found again
+        auto found = model::codec::codedOrder((*placed)->connectivity(), (*tested)->connectivity(),
+                                              console.progress("Matching"));
+        if (!found)
+            return model::fail(std::move(found).error());
+        matching = std::move(*found);
+    }
+    const auto result = measure(**placed, **tested, matching, console);
     if (!result)
         return model::fail(model::Error(result.error())
                                .in(result.error().code == model::ErrorCode::BadPermutation ? permutation : test));

@@ -108,7 +108,7 @@ using CodecSettings = std::variant<DirectSettings, PcaSettings, CoddyacSettings,
 /// How an animation is turned into an `.anim` file.
 struct CompressionSettings
 {
-    CodecSettings method = PcaSettings();
+    CodecSettings method = ReelSettings();
     /// The decoded vertices and triangles have the order of the input. `direct` and `pca` keep it anyway.
     bool keepOrder = false;
 

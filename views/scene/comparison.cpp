@@ -1,7 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/comparison.h"
 
+#include "model/codec/connectivity/codedorder.h"
+
 namespace views {
+
+/// Where nobody has kept the order of the vertices, it is found again.
+model::Result<Comparison::Measured> Comparison::measureMatched(OriginalPtr original, const model::FrameSource &test,
+                                                               const model::Progress &progress)
+{
+    if (original->permutation.empty()) {
+        auto order =
+            model::codec::codedOrder(original->frames->connectivity(), test.connectivity(), progress.part(0, 0.1));
+        if (!order)
+            return model::fail(std::move(order).error());
+        if (!order->empty())
+            original = std::make_shared<const Original>(Original{original->frames, std::move(*order)});
+    }
+    auto errors = model::compareAnimations(*original->frames, test, original->permutation, progress.part(0.1, 1));
+    if (!errors)
+        return model::fail(std::move(errors).error());
+    return Measured{std::move(original), std::move(*errors)};
+}
 
 Comparison::Comparison(Player &player, QObject *parent)
     : QObject(parent)
@@ -74,20 +94,19 @@ void Comparison::measure()
         emit changed();
         return;
     }
-    mMeasuring.start(
-        [original = mOriginal, test](const model::Progress &progress) {
-            return model::compareAnimations(*original->frames, *test, original->permutation, progress);
-        },
-        [this](model::Result<model::ComparisonResult> result) { measured(std::move(result)); });
+    mMeasuring.start([original = mOriginal,
+                      test](const model::Progress &progress) { return measureMatched(original, *test, progress); },
+                     [this](model::Result<Measured> result) { measured(std::move(result)); });
 }
 
-void Comparison::measured(model::Result<model::ComparisonResult> result)
+void Comparison::measured(model::Result<Measured> result)
 {
     if (!mOriginal) // stopped meanwhile
         return;
     if (result) {
         mIsFirst = false;
-        mResult = std::move(*result);
+        mOriginal = std::move(result->original);
+        mResult = std::move(result->errors);
         mPlayer.setOriginal(mOriginal);
     } else if (mIsFirst || result.error().code == model::ErrorCode::Cancelled) {
         giveUp(result.error());

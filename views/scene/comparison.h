@@ -51,7 +51,15 @@ signals:
 private:
     void giveUp(const model::Error &error);
     void measure();
-    void measured(model::Result<model::ComparisonResult> result);
+    /// The original with the order of vertices that fits, and what was measured.
+    struct Measured
+    {
+        OriginalPtr original;
+        model::ComparisonResult errors;
+    };
+    static model::Result<Measured> measureMatched(OriginalPtr original, const model::FrameSource &test,
+                                                  const model::Progress &progress);
+    void measured(model::Result<Measured> result);
     void sourceChanged();
 
     Player &mPlayer;

@@ -161,7 +161,7 @@ private slots:
     void animIsOpened()
     {
         const WavyFrames frames(60, 10);
-        const auto encoded = codec::encodeAnimation(frames, {});
+        const auto encoded = codec::encodeAnimation(frames, {PcaSettings()});
         QVERIFY(encoded.has_value());
         QVERIFY(saveBytes(path("a.anim"), encoded->bytes).has_value());
         const auto read = readAnimation(path("a.anim"));

@@ -109,7 +109,7 @@ private slots:
         QVERIFY(writeFrames(path("ply"), frames, MeshFormat::Ply).has_value());
         QVERIFY(writePc2(path("wavy.pc2"), frames).has_value());
         QVERIFY(writeMesh(path("wavy.obj"), frames.frame(0), frames.connectivity(), MeshFormat::Obj).has_value());
-        QVERIFY(saveBytes(path("wavy.anim"), codec::encodeAnimation(frames, {})->bytes).has_value());
+        QVERIFY(saveBytes(path("wavy.anim"), codec::encodeAnimation(frames, {PcaSettings()})->bytes).has_value());
         std::size_t limitBytes = 1 << 24;
         int failures = 0;
         for (; limitBytes > 4096; limitBytes -= limitBytes / 5) {
@@ -131,7 +131,7 @@ private slots:
         for (std::size_t limitBytes = 1 << 25; limitBytes > 4096; limitBytes -= limitBytes / 5) {
             const tests::AllocationLimit limit(limitBytes);
             try {
-                QVERIFY(codec::encodeAnimation(frames, {}).has_value());
+                QVERIFY(codec::encodeAnimation(frames, {PcaSettings()}).has_value());
                 QCOMPARE(failures, 0);
             } catch (const std::bad_alloc &) {
                 ++failures;
