@@ -6,6 +6,8 @@
 #include "tests/model/codec/filesurgery.h"
 #include "tests/support/testmain.h"
 
+#include <QFile>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -199,6 +201,27 @@ private slots:
         const auto together = decodeAnimation(one->bytes);
         for (std::uint32_t f = 0; f < 50; ++f)
             QVERIFY((*alone)->frame(f) == (*together)->frame(f));
+    }
+
+    // A file of a released version must decode for ever, to what it decoded to then.
+    void goldenFileDecodes()
+    {
+        QFile file(QStringLiteral(SANDREEL_SOURCE "/tests/data/anim/reel-1.0.anim"));
+        QFile text(QStringLiteral(SANDREEL_SOURCE "/tests/data/anim/reel-1.0.txt"));
+        QVERIFY(file.open(QIODevice::ReadOnly) && text.open(QIODevice::ReadOnly));
+        const QByteArray raw = file.readAll();
+        const auto decoded = decodeAnimation(Bytes(raw.begin(), raw.end()));
+        QVERIFY(decoded.has_value());
+        QVERIFY((*decoded)->settings() == settingsOf(0.01));
+        QCOMPARE((*decoded)->name(), std::string("plain"));
+        QCOMPARE((*decoded)->connectivity().triangles.size(), std::size_t(28));
+        const QList<QByteArray> numbers = text.readAll().replace(',', ' ').simplified().split(' ');
+        qsizetype i = 0;
+        for (std::uint32_t f = 0; f < (*decoded)->frameCount(); ++f)
+            for (const Vec3f p : (*decoded)->frame(f))
+                for (const float x : {p.x, p.y, p.z})
+                    QVERIFY(std::fabs(double(x) - numbers.at(i++).toDouble()) < 1e-6);
+        QCOMPARE(i, numbers.size());
     }
 
     void everyPrefixIsRejected()
