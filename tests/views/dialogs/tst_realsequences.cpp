@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/animation/metrics.h"
+#include "model/codec/connectivity/codedorder.h"
 #include "model/io/animationreader.h"
 #include "model/io/animfile.h"
 #include "tests/support/realdata.h"
@@ -68,10 +69,13 @@ private slots:
         QCOMPARE((*anim)->frameCount(), frames);
         const auto original = model::io::readAnimation(path);
         QVERIFY(original.has_value());
-        const auto lost = model::compareAnimations(**original, **anim);
+        // The default codec does not keep the order of the vertices.
+        const auto order = model::codec::codedOrder((*original)->connectivity(), (*anim)->connectivity());
+        QVERIFY(order.has_value() && !order->empty());
+        const auto lost = model::compareAnimations(**original, **anim, *order);
         QVERIFY(lost.has_value());
         QVERIFY2(lost->kgErrorPercent < kgLimit, qPrintable(QString::number(lost->kgErrorPercent)));
-        QVERIFY((*anim)->encodedBytes() * 10 < 12ull * vertices * frames);
+        QVERIFY((*anim)->encodedBytes() * 200 < 12ull * vertices * frames);
     }
 };
 
