@@ -2,6 +2,7 @@
 #include "model/codec/animationcodec.h"
 
 #include "model/animation/settingsfields.h"
+#include "model/codec/coddyac/coddyaccodec.h"
 #include "model/codec/container.h"
 #include "model/codec/direct/directcodec.h"
 #include "model/codec/pcacodec.h"
@@ -63,7 +64,7 @@ Result<void> checkSource(const FrameSource &source)
 
 std::span<const CodecId> availableCodecs()
 {
-    static constexpr std::array Codecs{CodecId::Reel, CodecId::Pca, CodecId::Direct};
+    static constexpr std::array Codecs{CodecId::Reel, CodecId::Pca, CodecId::Direct, CodecId::Coddyac};
     return Codecs;
 }
 
@@ -81,6 +82,8 @@ Result<EncodedAnimation> encodeAnimation(const FrameSource &source, const Compre
         return encodeDirect(source, *direct, progress);
     if (const auto *reel = std::get_if<ReelSettings>(&settings.method))
         return encodeReel(source, *reel, settings.keepOrder, progress);
+    if (const auto *coddyac = std::get_if<CoddyacSettings>(&settings.method))
+        return encodeCoddyac(source, *coddyac, settings.keepOrder, progress);
     return fail(ErrorCode::UnknownCodec, std::to_string(int(settings.codec())));
 }
 
@@ -97,6 +100,8 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeAnimation(Bytes file, cons
         return decodeDirect(std::move(file), *container, limits, progress);
     case CodecId::Reel:
         return decodeReel(std::move(file), *container, limits, progress);
+    case CodecId::Coddyac:
+        return decodeCoddyac(std::move(file), *container, limits, progress);
     default:
         break;
     }

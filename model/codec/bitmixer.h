@@ -8,9 +8,9 @@
 namespace model::codec {
 
 // Probabilities of one binary decision from several models at once, mixed by weights that are learned as decisions
-// pass. Integers only: encoder and decoder compute the same on any machine. FORMAT.md 4.4. Based on: M. Mahoney,
-// Adaptive weighing of context models for lossless data compression, 2005 (PAQ), and lpaq1. Differs: probabilities of
-// 16 bits; models that count how often they were asked.
+// pass. Integers only: encoder and decoder compute the same on any machine. FORMAT.md 4.4.
+// Based on: M. Mahoney, Adaptive weighing of context models for lossless data compression, 2005 (PAQ); lpaq1.
+// Differs: probabilities of 16 bits; models that count how often they were asked.
 
 /// The mixer's scale: 2048 / 12 times ln(p / (1 - p)), from -MaxStretch to MaxStretch.
 inline constexpr std::int32_t MaxStretch = 2047;
@@ -74,7 +74,8 @@ private:
     std::uint16_t mCount = 0;
 };
 
-/// Mixes the probabilities of `Inputs` models. \tparam Sets  sets of weights, one of which is chosen by a small context
+/// Mixes the probabilities of `Inputs` models.
+/// \tparam Sets  sets of weights, one of which is chosen by a small context
 template <std::size_t Inputs, std::size_t Sets>
 class BitMixer
 {

@@ -14,10 +14,9 @@ std::uint64_t tileCount(std::uint64_t vertices)
 
 } // namespace
 
-PcaAnimation::PcaAnimation(Header header, const PcaSettings &settings, std::uint32_t rank)
+PcaAnimation::PcaAnimation(Header header, const CompressionSettings &settings, std::uint32_t rank)
     : mHeader(std::move(header))
-    , mSettings{settings}
-    , mResolution(settings.resolution)
+    , mSettings(settings)
     , mRank(rank)
     , mBasis(std::size_t(3) * mHeader.frameCount * rank)
     , mTiles(std::size_t(tileCount(mHeader.vertexCount)) * TileVertices * rank)
@@ -29,22 +28,28 @@ void PcaAnimation::setFile(Bytes file, std::uint64_t digest)
     mDigest = digest;
 }
 
-void PcaAnimation::setMeans(std::span<const std::int64_t> quantized)
+void PcaAnimation::setMeans(std::span<const std::int64_t> quantized, double perUnit)
 {
     mMeans.reserve(quantized.size());
     for (const std::int64_t q : quantized)
-        mMeans.push_back(double(q) / mResolution);
+        mMeans.push_back(double(q) / perUnit);
 }
 
-void PcaAnimation::setBasisRow(std::uint32_t k, std::span<const std::int32_t> quantized)
+void PcaAnimation::setBasisRow(std::uint32_t k, std::span<const std::int32_t> quantized, double perUnit)
 {
     for (std::size_t i = 0; i < quantized.size(); ++i)
-        mBasis[i * mRank + k] = float(quantized[i] / mResolution);
+        mBasis[i * mRank + k] = float(quantized[i] / perUnit);
 }
 
-void PcaAnimation::setCoefficientRow(std::uint32_t k, std::span<const std::int32_t> quantized)
+void PcaAnimation::setBasisRow(std::uint32_t k, std::span<const std::int64_t> quantized, double perUnit)
 {
-    const double step = 1 / mResolution;
+    for (std::size_t i = 0; i < quantized.size(); ++i)
+        mBasis[i * mRank + k] = float(double(quantized[i]) / perUnit);
+}
+
+void PcaAnimation::setCoefficientRow(std::uint32_t k, std::span<const std::int32_t> quantized, double perUnit)
+{
+    const double step = 1 / perUnit;
     for (std::size_t v = 0; v < quantized.size(); ++v)
         mTiles[(v / TileVertices * mRank + k) * TileVertices + v % TileVertices] = float(quantized[v] * step);
 }

@@ -10,15 +10,17 @@ namespace model::codec {
 class PcaAnimation final : public DecodedAnimation
 {
 public:
-    PcaAnimation(Header header, const PcaSettings &settings, std::uint32_t rank);
+    PcaAnimation(Header header, const CompressionSettings &settings, std::uint32_t rank);
 
     // The decoder fills the parts, then hands the animation out as const.
     void setFile(Bytes file, std::uint64_t digest);
     void setConnectivity(Connectivity connectivity) { mConnectivity = std::move(connectivity); }
-    void setMeans(std::span<const std::int64_t> quantized);
-    /// Rows may be set from several threads at once.
-    void setBasisRow(std::uint32_t k, std::span<const std::int32_t> quantized);
-    void setCoefficientRow(std::uint32_t k, std::span<const std::int32_t> quantized);
+    // \param perUnit  quantisation steps in a unit.
+    void setMeans(std::span<const std::int64_t> quantized, double perUnit);
+    // Rows may be set from several threads at once.
+    void setBasisRow(std::uint32_t k, std::span<const std::int32_t> quantized, double perUnit);
+    void setBasisRow(std::uint32_t k, std::span<const std::int64_t> quantized, double perUnit);
+    void setCoefficientRow(std::uint32_t k, std::span<const std::int32_t> quantized, double perUnit);
 
     std::uint32_t frameCount() const override { return mHeader.frameCount; }
     const Connectivity &connectivity() const override { return mConnectivity; }
@@ -41,7 +43,6 @@ public:
 private:
     Header mHeader;
     CompressionSettings mSettings;
-    double mResolution;
     std::uint32_t mRank;
     Bytes mFile;
     std::uint64_t mDigest = 0;

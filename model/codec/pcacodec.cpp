@@ -131,23 +131,24 @@ Result<std::shared_ptr<const DecodedAnimation>> decodePca(Bytes file, const Cont
         return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(limit));
 
     const PcaSettings settings{parameters.wantedBasisSize, parameters.resolution};
-    const auto animation = std::make_shared<PcaAnimation>(header, settings, parameters.rank);
+    const auto animation = std::make_shared<PcaAnimation>(header, CompressionSettings{settings}, parameters.rank);
     const auto means = decodeMeans(chunks[2], std::size_t(3) * header.frameCount);
     if (!means)
         return fail(means.error());
-    animation->setMeans(*means);
+    animation->setMeans(*means, settings.resolution);
     Result<Connectivity> connectivity =
         decodeIndices(chunks[1], header.vertexCount, header.triangleCount, progress.part(0, 0.2));
     if (!connectivity)
         return fail(std::move(connectivity).error());
     animation->setConnectivity(std::move(*connectivity));
-    const auto basis = decodeBands(chunks[3], basisShape(header, parameters.rank), "basis", progress.part(0.2, 0.3),
-                                   [&](std::uint32_t k, auto row) { animation->setBasisRow(k, row); });
+    const auto basis =
+        decodeBands(chunks[3], basisShape(header, parameters.rank), "basis", progress.part(0.2, 0.3),
+                    [&](std::uint32_t k, auto row) { animation->setBasisRow(k, row, settings.resolution); });
     if (!basis)
         return fail(basis.error());
     const auto coefficients =
         decodeBands(chunks[4], coefficientShape(header, parameters.rank), "coefficients", progress.part(0.3, 1),
-                    [&](std::uint32_t k, auto row) { animation->setCoefficientRow(k, row); });
+                    [&](std::uint32_t k, auto row) { animation->setCoefficientRow(k, row, settings.resolution); });
     if (!coefficients)
         return fail(coefficients.error());
     animation->setFile(std::move(file), digest);

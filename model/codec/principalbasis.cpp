@@ -136,53 +136,25 @@ std::vector<std::int32_t> quantizeBasis(MatrixXd &basis, Quantizer &quantize)
     return result;
 }
 
-/// The least-squares coefficients of every vertex on the decoded basis, quantised, with the error that this makes.
-Result<void> fitCoefficients(const FrameStack &frames, std::span<const double> means, const MatrixXd &basis,
-                             double resolution, QuantizedPca &pca, const Progress &progress)
+/// The coefficients on the decoded basis, quantised, with the error that this makes.
+Result<void> quantizeCoefficients(const FrameStack &frames, std::span<const double> means, const MatrixXd &basis,
+                                  double resolution, QuantizedPca &pca, const Progress &progress)
 {
     Quantizer quantize{resolution, "coefficient", MaxBandValue};
-    const MatrixXd gram = basis.transpose() * basis;
-    MatrixXd normal = gram;
-    if (basis.cols() > 0)
-        normal.diagonal().array() += Ridge * normal.diagonal().maxCoeff();
-    const Eigen::LLT<MatrixXd> solver(normal);
-
-    const std::size_t rank = std::size_t(basis.cols());
-    const std::size_t vertices = frames.vertexCount();
-    pca.coefficients.resize(rank * vertices);
-    // One sum for each block, added in their order: the same with any number of threads.
-    std::vector<double> errors((vertices + BlockColumns - 1) / BlockColumns);
-    std::atomic<std::size_t> done = 0;
-    parallelFor(errors.size(), [&](std::size_t block) {
-        if (progress.isCancelled())
-            return;
-        const std::size_t begin = block * BlockColumns;
-        const std::size_t width = std::min(BlockColumns, vertices - begin);
-        RowMajorMatrixF panel(Index(frames.rowCount()), Index(width));
-        frames.centredVertices(means, begin, width, panel.data(), width);
-        // In double: the error below is a small difference of large numbers.
-        const MatrixXd columns = panel.cast<double>();
-        const MatrixXd projected = basis.transpose() * columns;
-        const MatrixXd fitted = solver.solve(projected);
-        MatrixXd rounding = MatrixXd::Zero(Index(rank), Index(width));
-        for (std::size_t k = 0; k < rank; ++k)
-            for (std::size_t i = 0; i < width; ++i) {
-                const double value = fitted(Index(k), Index(i));
-                const double q = quantize(value);
-                pca.coefficients[k * vertices + begin + i] = std::int32_t(q);
-                rounding(Index(k), Index(i)) = q / resolution - value;
-            }
-        // What no coefficients could give, then what their rounding adds: the fit makes the two orthogonal.
-        const double left =
-            columns.squaredNorm() - 2 * fitted.cwiseProduct(projected).sum() + fitted.cwiseProduct(gram * fitted).sum();
-        errors[block] = std::max(left, 0.0) + rounding.cwiseProduct(gram * rounding).sum();
-        progress.report(double(done += width) / double(vertices));
-    });
-    if (progress.isCancelled())
-        return fail(ErrorCode::Cancelled);
+    Result<FittedCoefficients> fitted =
+        fittedCoefficients(frames, means, {basis.data(), std::size_t(basis.size())}, progress);
+    if (!fitted)
+        return fail(std::move(fitted).error());
+    pca.coefficients.resize(fitted->values.size());
+    std::vector<double> rounding(fitted->values.size());
+    for (std::size_t i = 0; i < rounding.size(); ++i) {
+        const double q = quantize(fitted->values[i]);
+        pca.coefficients[i] = std::int32_t(q);
+        rounding[i] = q / resolution - fitted->values[i];
+    }
     if (quantize.exceeded)
         return quantize.error();
-    pca.squaredError = std::accumulate(errors.begin(), errors.end(), 0.0);
+    pca.squaredError = fitted->squaredErrorWith(rounding);
     return {};
 }
 
@@ -207,6 +179,70 @@ void dropEmptyBands(QuantizedPca &pca, std::size_t rows, std::size_t vertices)
 }
 
 } // namespace
+
+Result<FittedCoefficients> fittedCoefficients(const FrameStack &frames, std::span<const double> means,
+                                              std::span<const double> basis, const Progress &progress)
+{
+    const std::size_t rows = frames.rowCount();
+    const std::size_t vertices = frames.vertexCount();
+    FittedCoefficients fitted;
+    fitted.rank = basis.size() / rows;
+    fitted.values.resize(fitted.rank * vertices);
+    fitted.gram.resize(fitted.rank * fitted.rank);
+    const Eigen::Map<const MatrixXd> trajectories(basis.data(), Index(rows), Index(fitted.rank));
+    Eigen::Map<MatrixXd> gram(fitted.gram.data(), Index(fitted.rank), Index(fitted.rank));
+    gram.noalias() = trajectories.transpose() * trajectories;
+    MatrixXd normal = gram;
+    if (fitted.rank > 0)
+        normal.diagonal().array() += Ridge * normal.diagonal().maxCoeff();
+    const Eigen::LLT<MatrixXd> solver(normal);
+
+    // One sum for each block, added in their order: the same with any number of threads.
+    std::vector<double> errors((vertices + BlockColumns - 1) / BlockColumns);
+    std::atomic<std::size_t> done = 0;
+    parallelFor(errors.size(), [&](std::size_t block) {
+        if (progress.isCancelled())
+            return;
+        const std::size_t begin = block * BlockColumns;
+        const std::size_t width = std::min(BlockColumns, vertices - begin);
+        RowMajorMatrixF panel = RowMajorMatrixF::Zero(Index(rows), Index(width));
+        frames.centredVertices(means, begin, width, panel.data(), width);
+        // In double: the error below is a small difference of large numbers.
+        const MatrixXd columns = panel.cast<double>();
+        const MatrixXd projected = trajectories.transpose() * columns;
+        const MatrixXd exact = solver.solve(projected);
+        const double left =
+            columns.squaredNorm() - 2 * exact.cwiseProduct(projected).sum() + exact.cwiseProduct(gram * exact).sum();
+        errors[block] = std::max(left, 0.0);
+        for (std::size_t k = 0; k < fitted.rank; ++k)
+            for (std::size_t i = 0; i < width; ++i)
+                fitted.values[k * vertices + begin + i] = exact(Index(k), Index(i));
+        progress.report(double(done += width) / double(vertices));
+    });
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
+    fitted.squaredError = std::accumulate(errors.begin(), errors.end(), 0.0);
+    return fitted;
+}
+
+double FittedCoefficients::squaredErrorWith(std::span<const double> differences) const
+{
+    if (rank == 0)
+        return squaredError;
+    const std::size_t vertices = differences.size() / rank;
+    const Eigen::Map<const MatrixXd> products(gram.data(), Index(rank), Index(rank));
+    std::vector<double> errors((vertices + BlockColumns - 1) / BlockColumns);
+    parallelFor(errors.size(), [&](std::size_t block) {
+        const std::size_t begin = block * BlockColumns;
+        const std::size_t width = std::min(BlockColumns, vertices - begin);
+        MatrixXd part = MatrixXd::Zero(Index(rank), Index(width));
+        for (std::size_t k = 0; k < rank; ++k)
+            for (std::size_t i = 0; i < width; ++i)
+                part(Index(k), Index(i)) = differences[k * vertices + begin + i];
+        errors[block] = part.cwiseProduct(products * part).sum();
+    });
+    return std::accumulate(errors.begin(), errors.end(), squaredError);
+}
 
 struct PrincipalComponents::Basis
 {
@@ -235,6 +271,12 @@ std::size_t PrincipalComponents::count() const
     return std::size_t(mBasis->vectors.cols());
 }
 
+std::span<const double> PrincipalComponents::trajectory(std::size_t k) const
+{
+    const MatrixXd &vectors = mBasis->vectors;
+    return {vectors.data() + std::size_t(vectors.rows()) * k, std::size_t(vectors.rows())};
+}
+
 Result<QuantizedPca> PrincipalComponents::quantized(const FrameStack &frames, const PcaSettings &settings,
                                                     const Progress &progress) const
 {
@@ -251,7 +293,7 @@ Result<QuantizedPca> PrincipalComponents::quantized(const FrameStack &frames, co
     Quantizer quantizeBasisValue{settings.resolution, "basis", MaxBandValue};
     pca.basis = quantizeBasis(basis, quantizeBasisValue);
     pca.rank = std::uint32_t(basis.cols());
-    if (const auto fitted = fitCoefficients(frames, means, basis, settings.resolution, pca, progress); !fitted)
+    if (const auto fitted = quantizeCoefficients(frames, means, basis, settings.resolution, pca, progress); !fitted)
         return fail(fitted.error());
     dropEmptyBands(pca, frames.rowCount(), frames.vertexCount());
     return pca;

@@ -20,6 +20,23 @@ struct QuantizedPca
     double squaredError = 0;
 };
 
+/// Coefficients of every vertex on some trajectories, before they are rounded.
+struct FittedCoefficients
+{
+    std::size_t rank = 0;
+    std::vector<double> values; ///< #rank x #V
+    std::vector<double> gram;   ///< #rank x #rank: the products of the trajectories
+    /// Sum of the squared distances of all vertices that the fit leaves; it is orthogonal to what rounding adds.
+    double squaredError = 0;
+
+    /// The same sum with coefficients that differ from `values`. \param differences  #rank x #V
+    double squaredErrorWith(std::span<const double> differences) const;
+};
+
+/// The coefficients that fit best. \param basis  #rank x #3F, any trajectories. \error Cancelled
+Result<FittedCoefficients> fittedCoefficients(const FrameStack &frames, std::span<const double> means,
+                                              std::span<const double> basis, const Progress &progress);
+
 /// The strongest trajectories of an animation as they are before anything is rounded: found once, quantised in many
 /// ways.
 class PrincipalComponents
@@ -32,6 +49,8 @@ public:
 
     /// How many were found; fewer than asked for where the animation has no more.
     std::size_t count() const;
+    /// One of them, #3F entries; all are orthonormal, the strongest first.
+    std::span<const double> trajectory(std::size_t k) const;
 
     /// The first of them, means and coefficients, quantised. The coefficients are those that fit the quantised basis
     /// best. \param frames  those that the components are of \error LimitExceeded, Cancelled

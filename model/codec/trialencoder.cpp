@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/trialencoder.h"
 
+#include "model/codec/coddyac/coddyaccodec.h"
 #include "model/codec/direct/directtrials.h"
 #include "model/codec/pcacodec.h"
 #include "model/codec/reel/reelcodec.h"
@@ -18,6 +19,8 @@ Result<std::unique_ptr<TrialEncoder>> prepareTrials(const FrameSource &source, C
         return preparePcaTrials(source, progress);
     case CodecId::Reel:
         return prepareReelTrials(source, progress);
+    case CodecId::Coddyac:
+        return prepareCoddyacTrials(source, progress);
     default:
         return fail(ErrorCode::UnknownCodec, std::to_string(int(codec)));
     }

@@ -15,7 +15,7 @@ namespace model::codec {
 
 namespace {
 
-/// Which vertices of the cut mesh are one. FORMAT.md 5.4.3.
+/// Which vertices of the cut mesh are one. FORMAT.md 12.6.
 class WeldModel
 {
 public:

@@ -44,7 +44,7 @@ struct EncodedConnectivity
     std::vector<std::uint32_t> permutation; ///< for each vertex of coded.connectivity the input's vertex
 };
 
-/// Any triangles, without loss but for the order of vertices and triangles. FORMAT.md 5.4.
+/// Any triangles, without loss but for the order of vertices and triangles. FORMAT.md 12.
 /// Linear time but for vertices of very many triangles; about 100 bytes for a triangle.
 /// \error LimitExceeded  more than MaxCodedTriangles
 /// \error Cancelled

@@ -22,7 +22,7 @@ struct LoopEdge
 };
 
 /// The walk of EdgeBreaker over a manifold with border. Encoder and decoder run the same code and build the same mesh;
-/// `Source` answers, on the encoder's side, what comes next. FORMAT.md 5.4.
+/// `Source` answers, on the encoder's side, what comes next. FORMAT.md 12.
 template <class Coder, class Source>
 class EdgeBreaker
 {

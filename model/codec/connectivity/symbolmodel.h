@@ -24,7 +24,7 @@ struct GateView
     std::uint32_t loop = 0; ///< edges of the loop: 2, 3, or 4 for more
 };
 
-/// The contexts of the symbols and their coding, the same for both directions. FORMAT.md 5.6.4.
+/// The contexts of the symbols and their coding, the same for both directions. FORMAT.md 12.4.
 /// The pivot of the walk is the right vertex: what decides between C and R is whether it has all its triangles. So each
 /// context holds the number it has; the README says what the others gave.
 class SymbolModel
