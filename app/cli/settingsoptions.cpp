@@ -17,7 +17,7 @@ struct OptionText
 
 constexpr OptionText OptionTexts[] = {
     {"basis", "K", "Basis trajectories to keep: more is larger and more exact"},
-    {"step", "D", "Quantisation step of the coefficients, relative to their root mean square"},
+    {"step", "D", "Rounding step of the coefficients, relative"},
     {"basis-step", "D", "Quantisation step of the basis"},
     {"resolution", "R", "Steps per unit of length (pca), cells along the longest side (direct)"},
     {"predictor", "none|A|B|C|N", "A frame is predicted from nothing, 1, 2, 3 frames, or neighbours too"},
