@@ -143,10 +143,7 @@ double kgErrorPercent(const FrameSource &reference, const FrameSource &test)
     double spread = 0;
     for (std::uint32_t f = 0; f < reference.frameCount(); ++f) {
         const auto v = reference.frame(f);
-        const auto decoded = test.frame(f);
-        auto w = decoded;
-        for (std::size_t i = 0; i < permutation.size(); ++i)
-            w[permutation[i]] = decoded[i];
+        const auto w = test.frame(f);
         double mean[3] = {};
         for (const Vec3f p : v) {
             mean[0] += double(p.x) / double(v.size());
