@@ -78,7 +78,7 @@ std::unique_ptr<AnimationDocument> document()
 std::unique_ptr<AnimationDocument> editedDocument()
 {
     auto edited = std::make_unique<AnimationDocument>(tests::noise(tests::grid(), 24),
-                                                    model::CompressionSettings{model::PcaSettings()});
+                                                      model::CompressionSettings{model::PcaSettings()});
     edited->setTiming({model::TimeMap::identity(24).reversed().trimmed(3, 20).resampled(30, 17), 25});
     edited->setPlacement({3, {0, -1, 0.5}});
     edited->setName("edited");
