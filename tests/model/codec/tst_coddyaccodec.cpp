@@ -226,7 +226,7 @@ private slots:
         QTest::addColumn<QString>("kind");
         for (const char *kind : {"zero", "smooth", "noise", "extreme"})
             for (const int columns : {3, 6, 9, 300})
-                QTest::addRow("%s, %d", kind, columns) << columns << kind;
+                QTest::newRow(qPrintable(QString("%1, %2").arg(kind).arg(columns))) << columns << kind;
     }
     void lanes()
     {
