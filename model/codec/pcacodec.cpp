@@ -5,8 +5,8 @@
 #include "model/codec/bandstage.h"
 #include "model/codec/framestack.h"
 #include "model/codec/indexstage.h"
-#include "model/codec/pcaanimation.h"
 #include "model/codec/principalbasis.h"
+#include "model/codec/productanimation.h"
 #include "model/codec/syntax.h"
 
 #include <algorithm>
@@ -126,12 +126,13 @@ Result<std::shared_ptr<const DecodedAnimation>> decodePca(Bytes file, const Cont
     parameterSyntax(syntax, parameters, header);
     if (!reader.requireEnd())
         return fail(reader.error());
-    const std::uint64_t needed = PcaAnimation::neededBytes(header, parameters.rank) + file.size();
+    const std::uint64_t needed = ProductAnimation::neededBytes(header, parameters.rank) + file.size();
     if (const std::uint64_t limit = limits.bytesFor(file.size()); needed > limit)
         return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(limit));
 
     const PcaSettings settings{parameters.wantedBasisSize, parameters.resolution};
-    const auto animation = std::make_shared<PcaAnimation>(header, CompressionSettings{settings}, parameters.rank);
+    const auto animation =
+        std::make_shared<ProductAnimation>(header, CompressionSettings{settings}, parameters.rank, parameters.rank);
     const auto means = decodeMeans(chunks[2], std::size_t(3) * header.frameCount);
     if (!means)
         return fail(means.error());

@@ -35,6 +35,20 @@ void ProductAnimation::setCoefficient(std::uint32_t k, std::size_t vertex, doubl
     mTiles[(vertex / TileVertices * mRank + k) * TileVertices + vertex % TileVertices] = float(value);
 }
 
+void ProductAnimation::setMeans(std::span<const std::int64_t> quantized, double perUnit)
+{
+    mMeans.reserve(quantized.size());
+    for (const std::int64_t q : quantized)
+        mMeans.push_back(double(q) / perUnit);
+}
+
+void ProductAnimation::setCoefficientRow(std::uint32_t k, std::span<const std::int32_t> quantized, double perUnit)
+{
+    const double step = 1 / perUnit;
+    for (std::size_t vertex = 0; vertex < quantized.size(); ++vertex)
+        setCoefficient(k, vertex, quantized[vertex] * step);
+}
+
 void ProductAnimation::positions(std::uint32_t frame, std::span<Vec3f> out) const
 {
     const double *mean = mMeans.data() + std::size_t(3) * frame;

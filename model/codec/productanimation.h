@@ -21,6 +21,15 @@ public:
     void setMeans(std::vector<double> means) { mMeans = std::move(means); } ///< #F x 3
     void setBasis(std::uint32_t k, std::size_t row, double value) { mBasis[row * mRank + k] = float(value); }
     void setCoefficient(std::uint32_t k, std::size_t vertex, double value);
+    // The same of all values at once. \param perUnit  quantisation steps in a unit
+    void setMeans(std::span<const std::int64_t> quantized, double perUnit);
+    template <class Integer>
+    void setBasisRow(std::uint32_t k, std::span<const Integer> quantized, double perUnit)
+    {
+        for (std::size_t row = 0; row < quantized.size(); ++row)
+            setBasis(k, row, double(quantized[row]) / perUnit);
+    }
+    void setCoefficientRow(std::uint32_t k, std::span<const std::int32_t> quantized, double perUnit);
 
     std::uint32_t frameCount() const override { return mHeader.frameCount; }
     const Connectivity &connectivity() const override { return mConnectivity; }

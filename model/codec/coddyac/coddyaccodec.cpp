@@ -7,7 +7,7 @@
 #include "model/codec/coddyac/lanestage.h"
 #include "model/codec/coddyac/parallelogramstage.h"
 #include "model/codec/connectivity/vertexorder.h"
-#include "model/codec/pcaanimation.h"
+#include "model/codec/productanimation.h"
 
 namespace model::codec {
 
@@ -55,7 +55,7 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeCoddyac(Bytes file, const 
     if (!reader.requireEnd())
         return fail(reader.error());
     const std::uint64_t limit = limits.bytesFor(file.size());
-    const std::uint64_t needed = PcaAnimation::neededBytes(header, parameters.rank) + file.size() +
+    const std::uint64_t needed = ProductAnimation::neededBytes(header, parameters.rank) + file.size() +
                                  header.vertexCount * ScratchPerVertex + header.frameCount * ScratchPerFrame;
     if (needed > limit)
         return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(limit));
@@ -77,8 +77,8 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeCoddyac(Bytes file, const 
     }
 
     const CoddyacSteps steps(parameters.settings, parameters.unit, header.vertexCount);
-    const auto animation =
-        std::make_shared<PcaAnimation>(header, CompressionSettings{parameters.settings, keepsOrder}, parameters.rank);
+    const auto animation = std::make_shared<ProductAnimation>(
+        header, CompressionSettings{parameters.settings, keepsOrder}, parameters.rank, parameters.rank);
     animation->setConnectivity(std::move(coded->connectivity));
     const std::size_t rows = std::size_t(3) * header.frameCount;
     const auto means = decodeLanes(chunks[2], 1, rows, "means", progress.part(0.2, 0.21),
