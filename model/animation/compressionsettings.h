@@ -109,7 +109,7 @@ using CodecSettings = std::variant<DirectSettings, PcaSettings, CoddyacSettings,
 struct CompressionSettings
 {
     CodecSettings method = ReelSettings();
-    /// The decoded vertices and triangles have the order of the input. `direct` and `pca` keep it anyway.
+    /// The decoded vertices have the order of the input. `direct` and `pca` keep it anyway, that of the triangles too.
     bool keepOrder = false;
 
     CodecId codec() const
