@@ -19,6 +19,20 @@ public:
     ~AllocationLimit();
 };
 
+/// Counts what is allocated with `new`, in every thread, while it lives: how much more there is than when it began, and
+/// the most there was. One at a time. What C libraries allocate (zlib: some 40 KiB for a stream) is not counted.
+class AllocationMeter
+{
+public:
+    AllocationMeter();
+    AllocationMeter(const AllocationMeter &) = delete;
+    AllocationMeter &operator=(const AllocationMeter &) = delete;
+    ~AllocationMeter();
+
+    /// Bytes.
+    std::uint64_t peak() const;
+};
+
 /// While it lives, no file grows beyond `bytes`: writing fails as on a full disk.
 class FileSizeLimit
 {
