@@ -2,6 +2,7 @@
 #include "model/mesh/manifoldcut.h"
 
 #include "model/mesh/edgesides.h"
+#include "model/mesh/manifoldlinks.h"
 
 #include <atomic>
 
@@ -173,17 +174,24 @@ ManifoldCut cutIntoManifold(const Connectivity &connectivity)
 {
     ManifoldCut cut;
     cut.inputVertexCount = connectivity.vertexCount;
-    std::vector<std::uint32_t> vertices;
-    vertices.reserve(3 * connectivity.triangles.size());
-    for (const Triangle &t : connectivity.triangles)
-        vertices.insert(vertices.end(), t.begin(), t.end());
-    std::vector<Corner> links(vertices.size(), NoCorner);
-    if (linkSides(connectivity, vertices, links)) {
-        const std::vector<Side> sides = orient(vertices, links);
-        if (std::find(sides.begin(), sides.end(), Side::Flipped) != sides.end())
-            cut.flipped = flip(sides, vertices, links);
+    std::vector<std::uint32_t> vertices(3 * connectivity.triangles.size());
+    for (std::size_t t = 0; t < connectivity.triangles.size(); ++t)
+        std::copy_n(connectivity.triangles[t].begin(), 3, vertices.begin() + std::ptrdiff_t(3 * t));
+    std::vector<Corner> links;
+    bool mayHaveManyFans = true;
+    if (std::optional<ManifoldLinks> clean = manifoldLinks(connectivity)) {
+        links = std::move(clean->opposites);
+        mayHaveManyFans = clean->hasManyFans;
+    } else {
+        links.assign(vertices.size(), NoCorner);
+        if (linkSides(connectivity, vertices, links)) {
+            const std::vector<Side> sides = orient(vertices, links);
+            if (std::find(sides.begin(), sides.end(), Side::Flipped) != sides.end())
+                cut.flipped = flip(sides, vertices, links);
+        }
     }
-    cut.copied = copyVertices(connectivity.vertexCount, vertices, links);
+    if (mayHaveManyFans)
+        cut.copied = copyVertices(connectivity.vertexCount, vertices, links);
     cut.corners =
         CornerTable(connectivity.vertexCount + std::uint32_t(cut.copied.size()), std::move(vertices), std::move(links));
     return cut;

@@ -45,13 +45,14 @@ CodedConnectivity assembled(Walk &walk, std::vector<std::uint32_t> welded, std::
 {
     CodedConnectivity coded;
     const std::uint32_t cutCount = std::uint32_t(walk.mNeighbours.size());
-    const auto vertexOf = [&](std::uint32_t cut) { return welded.empty() ? cut : welded[cut]; };
     coded.connectivity.vertexCount = vertexCount;
     coded.connectivity.triangles.resize(walk.mVertices.size() / 3);
     for (std::size_t t = 0; t < coded.connectivity.triangles.size(); ++t) {
         Triangle &triangle = coded.connectivity.triangles[t];
-        for (unsigned i = 0; i < 3; ++i)
-            triangle[i] = vertexOf(walk.mVertices[3 * t + i]);
+        std::copy_n(walk.mVertices.begin() + std::ptrdiff_t(3 * t), 3, triangle.begin());
+        if (!welded.empty())
+            for (std::uint32_t &vertex : triangle)
+                vertex = welded[vertex];
         if (!walk.mFlipped.empty() && walk.mFlipped[t])
             std::swap(triangle[1], triangle[2]);
     }
@@ -81,14 +82,19 @@ Result<EncodedConnectivity> encodeConnectivity(const Connectivity &connectivity,
     if (connectivity.triangles.size() > MaxCodedTriangles)
         return fail(ErrorCode::LimitExceeded, "triangles", std::to_string(connectivity.triangles.size()),
                     std::to_string(MaxCodedTriangles));
-    const ManifoldCut cut = cutIntoManifold(connectivity);
+    ManifoldCut whole = cutIntoManifold(connectivity);
     if (progress.isCancelled())
         return fail(ErrorCode::Cancelled);
     progress.report(0.3);
 
-    RangeEncoder coder;
-    MeshSource source(cut);
-    EdgeBreaker walk(coder, source, std::uint32_t(connectivity.triangles.size()), ~std::uint64_t(0));
+    QueuedCoder coder;
+    MeshSource source(std::move(whole));
+    const ManifoldCut &cut = source.cut();
+    EdgeBreaker walk(coder, source, std::uint32_t(connectivity.triangles.size()), connectivity.vertexCount,
+                     ~std::uint64_t(0));
+    WeldModel model;
+    AdaptiveBit hasCopies;
+    const QueuedCoder::Hold hold(coder);
     if (!walk.run(progress.part(0.3, 0.9)))
         return fail(ErrorCode::Cancelled);
 
@@ -97,9 +103,8 @@ Result<EncodedConnectivity> encodeConnectivity(const Connectivity &connectivity,
     const std::vector<std::uint32_t> order = source.takeOrder();
     std::vector<std::uint32_t> names(connectivity.vertexCount, NoVertex);
     std::vector<std::uint32_t> welded;
-    WeldModel model;
-    AdaptiveBit hasCopies;
     coder.bit(hasCopies, !cut.copied.empty());
+    encoded.permutation.reserve(connectivity.vertexCount);
     for (const std::uint32_t vertex : order) {
         const std::uint32_t count = std::uint32_t(encoded.permutation.size());
         std::uint32_t &name = names[cut.inputVertex(vertex)];
@@ -137,7 +142,7 @@ Result<CodedConnectivity> decodeConnectivity(const Chunk &chunk, std::uint32_t v
 
     RangeDecoder coder(chunk.payload);
     NoSource source;
-    EdgeBreaker walk(coder, source, triangleCount, (memoryLimit - fixed) / (2 * sizeof(LoopEdge)));
+    EdgeBreaker walk(coder, source, triangleCount, vertexCount, (memoryLimit - fixed) / (2 * sizeof(LoopEdge)));
     if (!walk.run(progress.part(0, 0.9)))
         return progress.isCancelled()    ? fail(ErrorCode::Cancelled)
                : walk.edgeLimitReached() ? tooLarge(memoryLimit + 1)

@@ -3,7 +3,7 @@
 
 #include "model/base/progress.h"
 #include "model/codec/connectivity/connectivitystage.h"
-#include "model/codec/connectivity/symbolmodel.h"
+#include "model/codec/connectivity/queuedcoder.h"
 #include "model/codec/integercoder.h"
 
 #include <optional>
@@ -27,8 +27,10 @@ template <class Coder, class Source>
 class EdgeBreaker
 {
 public:
-    /// \param maxEdges  of all loops at a time: bounds the memory
-    EdgeBreaker(Coder &coder, Source &source, std::uint32_t triangleCount, std::uint64_t maxEdges)
+    /// \param vertexCount  about: room for so many is made at once
+    /// \param maxEdges     of all loops at a time: bounds the memory
+    EdgeBreaker(Coder &coder, Source &source, std::uint32_t triangleCount, std::uint32_t vertexCount,
+                std::uint64_t maxEdges)
         : mCoder(coder)
         , mSource(source)
         , mTriangleCount(triangleCount)
@@ -37,6 +39,8 @@ public:
     {
         mVertices.resize(3 * std::size_t(mTriangleCount));
         mOpposites.resize(3 * std::size_t(mTriangleCount), NoCorner);
+        mNeighbours.reserve(vertexCount);
+        mDegrees.reserve(vertexCount);
     }
 
     /// \returns false if the stream is corrupt or the work was cancelled
@@ -261,7 +265,7 @@ private:
         const std::uint32_t before = mEdges[gate].previous, after = mEdges[gate].next;
         const std::uint32_t left = mEdges[gate].vertex, right = mEdges[after].vertex;
         const Corner behind = mEdges[gate].corner;
-        const Clers symbol = mSymbols.code(mCoder, view(gate), mSource.symbolAt(gate, before, after));
+        const Clers symbol = codeSymbol(mCoder, mSymbols, view(gate), mSource.symbolAt(gate, before, after));
         switch (symbol) {
         case Clers::C: {
             if (!mayOpen(1))

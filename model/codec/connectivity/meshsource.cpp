@@ -1,44 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/connectivity/meshsource.h"
 
+#include "model/base/parallel.h"
+
+#include <atomic>
+
 namespace model::codec {
 
-MeshSource::MeshSource(const ManifoldCut &cut)
-    : mCut(cut)
-    , mMesh(cut.corners)
-    , mIsKnown(mMesh.vertexCount())
-    , mIsDone(mMesh.triangleCount())
-    , mEdges(mMesh.cornerCount(), NoEdge)
+MeshSource::MeshSource(ManifoldCut cut)
+    : mCut(std::move(cut))
+    , mTriangleCount(mCut.corners.triangleCount())
+    , mFaces(std::make_unique_for_overwrite<Face[]>(mTriangleCount))
+    , mIsKnown(mCut.corners.vertexCount())
 {
-    std::vector<bool> walked;
-    for (Corner c = 0; c < mMesh.cornerCount(); ++c) {
-        if (mMesh.opposite(c) != NoCorner)
-            continue;
-        if (walked.empty()) {
-            walked.resize(mMesh.cornerCount());
-            mBorders.resize(mMesh.vertexCount(), NoCorner);
+    const CornerTable mesh = std::move(mCut.corners);
+    constexpr std::size_t Grain = 1 << 15; // triangles
+    std::atomic<bool> hasBorders = false;
+    parallelRanges(mTriangleCount, Grain, [&](std::size_t begin, std::size_t end) {
+        std::uint8_t any = 0;
+        for (std::size_t t = begin; t < end; ++t) {
+            Face &face = mFaces[t];
+            face = {};
+            for (unsigned i = 0; i < 3; ++i) {
+                face.vertices[i] = mesh.vertex(Corner(3 * t + i));
+                face.across[i] = mesh.opposite(Corner(3 * t + i));
+                face.borders |= std::uint8_t((face.across[i] == NoCorner) << i);
+            }
+            any |= face.borders;
         }
-        if (walked[c])
+        if (any)
+            hasBorders = true;
+    });
+    if (hasBorders)
+        findBorders(mesh);
+    mOrder.reserve(mesh.vertexCount());
+}
+
+void MeshSource::findBorders(const CornerTable &mesh)
+{
+    mBorders.resize(mesh.vertexCount(), NoCorner);
+    for (Corner c = 0; c < mesh.cornerCount(); ++c) {
+        if (mesh.opposite(c) != NoCorner || across(c) != NoCorner)
             continue;
         ++mHoleCount;
-        for (Corner at = c; !walked[at]; at = nextBorder(mMesh, at)) {
-            walked[at] = true;
-            mBorders[mMesh.vertex(CornerTable::next(at))] = at;
+        for (Corner at = c; across(at) == NoCorner; at = across(at)) {
+            mFaces[at / 3].across[at % 3] = nextBorder(mesh, at);
+            mBorders[vertex(CornerTable::next(at))] = at;
         }
     }
-    mOrder.reserve(mMesh.vertexCount());
 }
 
 void MeshSource::startComponent()
 {
     // Parts with a border start with one of their holes; when none of them is left, those without.
-    for (; mNextBorder < mMesh.cornerCount(); ++mNextBorder)
-        if (mMesh.opposite(mNextBorder) == NoCorner && !mIsDone[mNextBorder / 3]) {
+    for (; mNextBorder < 3 * mTriangleCount; ++mNextBorder) {
+        const Face &face = mFaces[mNextBorder / 3];
+        if (face.borders >> mNextBorder % 3 & 1 && !face.isDone) {
             mBorder = mNextBorder;
             return;
         }
+    }
     mBorder = NoCorner;
-    while (mIsDone[mNextTriangle])
+    while (mFaces[mNextTriangle].isDone)
         ++mNextTriangle;
 }
 
@@ -48,7 +71,7 @@ std::int64_t MeshSource::holeLength() const
     Corner at = mBorder;
     do {
         ++length;
-        at = nextBorder(mMesh, at);
+        at = across(at);
     } while (at != mBorder);
     return length;
 }
@@ -56,24 +79,25 @@ std::int64_t MeshSource::holeLength() const
 void MeshSource::firstTriangle()
 {
     mTip = 3 * mNextTriangle;
-    mIsDone[mNextTriangle] = true;
-    name(mMesh.vertex(mTip));
-    name(mMesh.vertex(mTip + 1));
-    name(mMesh.vertex(mTip + 2));
+    Face &face = mFaces[mNextTriangle];
+    face.isDone = true;
+    for (const std::uint32_t vertex : face.vertices)
+        name(vertex);
 }
 
 void MeshSource::firstEdges(std::uint32_t ba, std::uint32_t ac, std::uint32_t cb)
 {
-    place(ba, mMesh.opposite(mTip + 2));
-    place(ac, mMesh.opposite(mTip + 1));
-    place(cb, mMesh.opposite(mTip));
+    place(ba, across(mTip + 2));
+    place(ac, across(mTip + 1));
+    place(cb, across(mTip));
 }
 
 Clers MeshSource::symbolAt(std::uint32_t gate, std::uint32_t before, std::uint32_t after)
 {
     mTip = mFaced[gate];
-    mIsDone[mTip / 3] = true;
-    if (!mIsKnown[mMesh.vertex(mTip)])
+    Face &face = mFaces[mTip / 3];
+    face.isDone = true;
+    if (!mIsKnown[face.vertices[mTip % 3]])
         return Clers::C;
     const bool right = mFaced[after] == CornerTable::next(mTip);
     const bool left = mFaced[before] == CornerTable::previous(mTip);
@@ -87,14 +111,14 @@ std::uint32_t MeshSource::targetEdge()
     Corner leftwards = CornerTable::previous(mTip);
     Corner rightwards = CornerTable::next(mTip);
     for (;;) {
-        leftwards = CornerTable::next(mMesh.opposite(leftwards));
+        leftwards = CornerTable::next(across(leftwards));
         mTargetIsEnd = false;
-        if (const std::uint32_t edge = openEdge(leftwards); edge != NoEdge)
-            return edge;
-        rightwards = CornerTable::previous(mMesh.opposite(rightwards));
+        if (isOpen(leftwards))
+            return across(leftwards);
+        rightwards = CornerTable::previous(across(rightwards));
         mTargetIsEnd = true;
-        if (const std::uint32_t edge = openEdge(rightwards); edge != NoEdge)
-            return edge;
+        if (isOpen(rightwards))
+            return across(rightwards);
     }
 }
 

@@ -4,13 +4,16 @@
 #include "model/codec/connectivity/edgebreaker.h"
 #include "model/mesh/manifoldcut.h"
 
+#include <memory>
+
 namespace model::codec {
 
 /// The encoder's side of EdgeBreaker: walks the mesh along with it and tells what it meets.
 class MeshSource
 {
 public:
-    explicit MeshSource(const ManifoldCut &cut);
+    /// \param cut  its corner table is not kept
+    explicit MeshSource(ManifoldCut cut);
 
     std::int64_t holeCount() const { return mHoleCount; }
     bool hasFlips() const { return !mCut.flipped.empty(); }
@@ -18,21 +21,22 @@ public:
     void startComponent();
     bool startsAtHole() const { return mBorder != NoCorner; }
     std::int64_t holeLength() const;
-    void visitBorder() { name(mMesh.vertex(CornerTable::next(mBorder))); }
+    void visitBorder() { name(vertex(CornerTable::next(mBorder))); }
     void holeEdge(std::uint32_t edge)
     {
+        const Corner next = across(mBorder);
         place(edge, mBorder);
-        mBorder = nextBorder(mMesh, mBorder);
+        mBorder = next;
     }
     void firstTriangle();
     void firstEdges(std::uint32_t ba, std::uint32_t ac, std::uint32_t cb);
 
     Clers symbolAt(std::uint32_t gate, std::uint32_t before, std::uint32_t after);
     bool isFlipped() const { return mCut.isFlipped(mTip / 3); }
-    void visitTip() { name(mMesh.vertex(mTip)); }
+    void visitTip() { name(vertex(mTip)); }
     bool touchesHole()
     {
-        mBorder = mBorders.empty() ? NoCorner : mBorders[mMesh.vertex(mTip)];
+        mBorder = mBorders.empty() ? NoCorner : mBorders[vertex(mTip)];
         return mBorder != NoCorner;
     }
     void opened(std::uint32_t leftEdge, std::uint32_t gate)
@@ -40,17 +44,34 @@ public:
         reachedLeft(leftEdge);
         reachedRight(gate);
     }
-    void reachedLeft(std::uint32_t edge) { place(edge, mMesh.left(mTip)); }
-    void reachedRight(std::uint32_t edge) { place(edge, mMesh.right(mTip)); }
+    void reachedLeft(std::uint32_t edge) { place(edge, across(CornerTable::previous(mTip))); }
+    void reachedRight(std::uint32_t edge) { place(edge, across(CornerTable::next(mTip))); }
     void closed(std::uint32_t edge) { mFaced[edge] = NoCorner; }
     /// An edge that starts at the vertex of an S in the gap where the triangle comes to lie, or one that ends there.
     std::uint32_t targetEdge();
     bool targetIsEnd() const { return mTargetIsEnd; }
 
+    /// The cut, without its corner table.
+    const ManifoldCut &cut() const { return mCut; }
     /// The cut mesh's vertex of each coded one.
     std::vector<std::uint32_t> takeOrder() { return std::move(mOrder); }
 
 private:
+    /// A triangle and its neighbours: what a step needs lies in one cache line, as most of its time is spent waiting
+    /// for memory.
+    struct alignas(32) Face
+    {
+        std::array<std::uint32_t, 3> vertices;
+        /// For each corner the opposite one; at a border the next border edge's; while the edge is part of a loop its
+        /// number there.
+        std::array<std::uint32_t, 3> across;
+        std::uint8_t borders, open; ///< for which corners: bits
+        bool isDone;
+    };
+
+    std::uint32_t vertex(Corner c) const { return mFaces[c / 3].vertices[c % 3]; }
+    std::uint32_t across(Corner c) const { return mFaces[c / 3].across[c % 3]; }
+    void findBorders(const CornerTable &mesh);
     void name(std::uint32_t vertex)
     {
         mIsKnown[vertex] = true;
@@ -62,22 +83,18 @@ private:
         if (edge >= mFaced.size())
             mFaced.resize(std::size_t(edge) + 1, NoCorner);
         mFaced[edge] = corner;
-        mEdges[corner] = edge;
+        Face &face = mFaces[corner / 3];
+        face.across[corner % 3] = edge;
+        face.open |= std::uint8_t(1u << corner % 3);
     }
-    /// The open edge that `corner` faces, or NoEdge.
-    std::uint32_t openEdge(Corner corner) const
-    {
-        const std::uint32_t edge = mEdges[corner];
-        return edge != NoEdge && mFaced[edge] == corner ? edge : NoEdge;
-    }
+    bool isOpen(Corner corner) const { return mFaces[corner / 3].open >> corner % 3 & 1; }
 
-    const ManifoldCut &mCut;
-    const CornerTable &mMesh;
-    std::vector<bool> mIsKnown;        ///< #V
-    std::vector<bool> mIsDone;         ///< #T
-    std::vector<std::uint32_t> mEdges; ///< for each corner the loop's edge that it faces, or did
-    std::vector<Corner> mFaced;        ///< for each edge of a loop the corner that faces it
-    std::vector<Corner> mBorders;      ///< for each vertex the corner that faces the border edge from it; may be empty
+    ManifoldCut mCut;
+    std::uint32_t mTriangleCount;
+    std::unique_ptr<Face[]> mFaces; ///< #T
+    std::vector<bool> mIsKnown;     ///< #V
+    std::vector<Corner> mFaced;     ///< for each edge of a loop the corner that faces it
+    std::vector<Corner> mBorders;   ///< for each vertex the corner that faces the border edge from it; may be empty
     std::vector<std::uint32_t> mOrder;
     std::int64_t mHoleCount = 0;
     Corner mNextBorder = 0;          ///< where to look for the next part with a border

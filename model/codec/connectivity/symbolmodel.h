@@ -20,8 +20,8 @@ struct GateView
 {
     // How many triangles there are so far at the vertices along the loop: before, left, right, after, beyond; the gate
     // goes from left to right. And at the vertex behind the gate, 0 if there is none.
-    std::uint32_t before = 0, left = 0, right = 0, after = 0, beyond = 0, behind = 0;
-    std::uint32_t loop = 0; ///< edges of the loop: 2, 3, or 4 for more
+    std::uint8_t before = 0, left = 0, right = 0, after = 0, beyond = 0, behind = 0;
+    std::uint8_t loop = 0; ///< edges of the loop: 2, 3, or 4 for more
 };
 
 /// The contexts of the symbols and their coding, the same for both directions. FORMAT.md 12.4.
@@ -37,7 +37,7 @@ public:
         mHistory = (mHistory * 5 + std::uint32_t(symbol)) % HistoryStates;
         if (symbol == Clers::R) {
             mClosedBefore = mClosed;
-            mClosed = capped(gate.right + 1);
+            mClosed = capped(gate.right + 1u);
         }
         return symbol;
     }
@@ -81,7 +81,7 @@ private:
 
     Contexts contextsOf(const GateView &gate) const
     {
-        const std::uint32_t right = std::min(gate.right, 20u);
+        const std::uint32_t right = std::min<std::uint32_t>(gate.right, 20);
         const std::uint32_t left = capped(gate.left), after = capped(gate.after), before = capped(gate.before);
         const std::uint32_t beyond = capped(gate.beyond), behind = capped(gate.behind);
         return {

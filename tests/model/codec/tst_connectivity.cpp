@@ -257,7 +257,7 @@ private slots:
 
     void sameInputSameBytes()
     {
-        const Connectivity mesh = shuffled(withRandomHoles(sheet(30, 30), 5));
+        const Connectivity mesh = shuffled(withRandomHoles(sheet(90, 90), 5)); // of several blocks
         setThreadCount(1);
         const Bytes one = encodeConnectivity(mesh, Progress())->bytes;
         setThreadCount(0);
