@@ -48,20 +48,30 @@ Result<std::optional<double>> crossing(Function &&value, double limit, double to
         return fail(atCoarse.error());
     if (*atCoarse <= limit)
         return std::optional(coarse);
-    double above = logOf(*atCoarse) - logOf(limit), below = logOf(*atFine) - logOf(limit);
-    for (int step = 0; step < MostSteps && below < std::log1p(-tolerance); ++step) {
-        // False position where the values are about even, halving every third time where they are not.
-        const double share = step % 3 == 2 ? 0.5 : std::clamp(above / (above - below), 0.05, 0.95);
+    // False position aimed at the middle of what will do; an end that stays twice in a row counts half (Illinois), or
+    // it would hold the other one back where the values bend. Halving where even that is slow.
+    constexpr int Patience = 8;
+    const double aim = logOf(limit) + std::log1p(-tolerance / 2);
+    double above = logOf(*atCoarse) - aim, below = logOf(*atFine) - aim;
+    double reached = logOf(*atFine);
+    int side = 0;
+    for (int step = 0; step < MostSteps && reached < logOf(limit) + std::log1p(-tolerance); ++step) {
+        const double share = step < Patience ? std::clamp(above / (above - below), 0.02, 0.98) : 0.5;
         const double at = coarse + share * (fine - coarse);
         const Result<double> found = value(at);
         if (!found)
             return fail(found.error());
         if (*found > limit) {
             coarse = at;
-            above = logOf(*found) - logOf(limit);
+            above = std::max(logOf(*found) - aim, 0.0);
+            below *= side > 0 ? 0.5 : 1;
+            side = 1;
         } else {
             fine = at;
-            below = logOf(*found) - logOf(limit);
+            reached = logOf(*found);
+            below = std::min(reached - aim, 0.0);
+            above *= side < 0 ? 0.5 : 1;
+            side = -1;
         }
         if (fine - coarse < 1e-4)
             break;

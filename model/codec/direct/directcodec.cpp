@@ -77,21 +77,43 @@ std::vector<std::vector<Cell>> quantised(const FrameStack &frames, const CellGri
     return result;
 }
 
-/// A stream for each group of frames.
-Result<std::vector<Bytes>> encodeGroups(const FrameStack &frames, const CellGrid &grid, const FrameShape &shape,
-                                        const Connectivity &connectivity, const Progress &progress)
+} // namespace
+
+Result<DirectEncoder> DirectEncoder::prepare(const FrameSource &source, const Progress &progress)
 {
-    const MeshWalk walk(connectivity,
-                        shape.predictor == Predictor::Neighbours ? MeshWalk::Order::Growing : MeshWalk::Order::File);
-    const std::vector<Cell> first = std::move(quantised(frames, grid, 0, 1).front());
-    std::vector<Bytes> groups(std::size_t(streamCount(frames.frameCount(), FramesPerGroup)));
+    Result<FrameStack> frames = FrameStack::gather(source, progress.part(0, 0.6));
+    if (!frames)
+        return fail(std::move(frames).error());
+    Result<Bytes> indices = encodeIndices(source.connectivity(), progress.part(0.6, 1));
+    if (!indices)
+        return fail(std::move(indices).error());
+    return DirectEncoder(source, std::move(*frames), std::move(*indices));
+}
+
+const MeshWalk &DirectEncoder::walkFor(Predictor predictor)
+{
+    const bool isGrowing = predictor == Predictor::Neighbours;
+    std::optional<MeshWalk> &walk = isGrowing ? mGrowing : mInFileOrder;
+    if (!walk)
+        walk.emplace(mSource->connectivity(), isGrowing ? MeshWalk::Order::Growing : MeshWalk::Order::File);
+    return *walk;
+}
+
+/// A stream for each group of frames.
+Result<std::vector<Bytes>> DirectEncoder::encodeGroups(const DirectSettings &settings, const Progress &progress)
+{
+    const CellGrid grid = CellGrid::around(mFrames, settings.resolution);
+    const FrameShape shape{settings.resolution, settings.predictor, settings.entropy};
+    const MeshWalk &walk = walkFor(settings.predictor);
+    const std::vector<Cell> first = std::move(quantised(mFrames, grid, 0, 1).front());
+    std::vector<Bytes> groups(std::size_t(streamCount(mFrames.frameCount(), FramesPerGroup)));
     std::atomic<std::size_t> done = 0;
     parallelFor(groups.size(), [&](std::size_t i) {
         if (progress.isCancelled())
             return;
         const std::size_t begin = i * FramesPerGroup;
         const auto cells =
-            quantised(frames, grid, begin, std::min<std::size_t>(begin + FramesPerGroup, frames.frameCount()));
+            quantised(mFrames, grid, begin, std::min<std::size_t>(begin + FramesPerGroup, mFrames.frameCount()));
         const std::vector<std::span<const Cell>> views(cells.begin(), cells.end());
         groups[i] =
             encodeFrames(shape, walk, i > 0 ? std::span<const Cell>(first) : std::span<const Cell>(), views, progress);
@@ -102,32 +124,25 @@ Result<std::vector<Bytes>> encodeGroups(const FrameStack &frames, const CellGrid
     return groups;
 }
 
-} // namespace
-
-Result<EncodedAnimation> encodeDirect(const FrameSource &source, const DirectSettings &settings,
-                                      const Progress &progress)
+Result<EncodedAnimation> DirectEncoder::encode(const DirectSettings &settings, const Progress &progress)
 {
-    const Result<FrameStack> frames = FrameStack::gather(source, progress.part(0, 0.1));
-    if (!frames)
-        return fail(frames.error());
-    const Connectivity &connectivity = source.connectivity();
-    const Result<Bytes> indices = encodeIndices(connectivity, progress.part(0.1, 0.15));
-    if (!indices)
-        return fail(indices.error());
-    const CellGrid grid = CellGrid::around(*frames, settings.resolution);
-    const FrameShape shape{settings.resolution, settings.predictor, settings.entropy};
-    const Result<std::vector<Bytes>> groups = encodeGroups(*frames, grid, shape, connectivity, progress.part(0.15, 1));
+    const Result<std::vector<Bytes>> groups = encodeGroups(settings, progress);
     if (!groups)
         return fail(groups.error());
+    return assembled(settings, *groups);
+}
 
+EncodedAnimation DirectEncoder::assembled(const DirectSettings &settings, const std::vector<Bytes> &groups) const
+{
     Header header;
     header.codec = std::uint8_t(CodecId::Direct);
-    header.vertexCount = source.vertexCount();
-    header.triangleCount = std::uint32_t(connectivity.triangles.size());
-    header.frameCount = source.frameCount();
-    header.frameRate = source.frameRate();
+    header.vertexCount = mSource->vertexCount();
+    header.triangleCount = std::uint32_t(mSource->connectivity().triangles.size());
+    header.frameCount = mSource->frameCount();
+    header.frameRate = mSource->frameRate();
     header.creator = creatorName();
-    header.name = source.name();
+    header.name = mSource->name();
+    const CellGrid grid = CellGrid::around(mFrames, settings.resolution);
     const Parameters parameters{settings.resolution,
                                 std::uint8_t(settings.predictor),
                                 std::uint8_t(settings.entropy),
@@ -137,13 +152,23 @@ Result<EncodedAnimation> encodeDirect(const FrameSource &source, const DirectSet
     SyntaxWriter syntax;
     parameterSyntax(syntax, parameters);
     ByteWriter streams;
-    writeStreams(streams, *groups);
+    writeStreams(streams, groups);
     ContainerWriter writer(header);
     writer.chunk(ParametersTag, syntax.take());
-    writer.chunk(ConnectivityTag, *indices);
+    writer.chunk(ConnectivityTag, mIndices);
     writer.chunk(FramesTag, streams.data());
-    EncodedAnimation encoded{writer.finish(), std::vector<std::uint32_t>(source.vertexCount())};
+    EncodedAnimation encoded{writer.finish(), std::vector<std::uint32_t>(mSource->vertexCount())};
     std::iota(encoded.permutation.begin(), encoded.permutation.end(), 0u);
+    return encoded;
+}
+
+Result<EncodedAnimation> encodeDirect(const FrameSource &source, const DirectSettings &settings,
+                                      const Progress &progress)
+{
+    Result<DirectEncoder> encoder = DirectEncoder::prepare(source, progress.part(0, 0.15));
+    if (!encoder)
+        return fail(std::move(encoder).error());
+    Result<EncodedAnimation> encoded = encoder->encode(settings, progress.part(0.15, 1));
     progress.report(1);
     return encoded;
 }

@@ -3,6 +3,10 @@
 
 #include "model/codec/animationcodec.h"
 #include "model/codec/container.h"
+#include "model/codec/direct/meshwalk.h"
+#include "model/codec/framestack.h"
+
+#include <optional>
 
 namespace model::codec {
 
@@ -12,5 +16,32 @@ Result<EncodedAnimation> encodeDirect(const FrameSource &source, const DirectSet
                                       const Progress &progress);
 Result<std::shared_ptr<const DecodedAnimation>> decodeDirect(Bytes file, const Container &container,
                                                              const DecodeLimits &limits, const Progress &progress);
+
+/// An animation prepared for being encoded with many settings. Not thread-safe.
+class DirectEncoder
+{
+public:
+    /// \param source  outlives the encoder
+    static Result<DirectEncoder> prepare(const FrameSource &source, const Progress &progress);
+
+    Result<EncodedAnimation> encode(const DirectSettings &settings, const Progress &progress);
+    const FrameStack &frames() const { return mFrames; }
+
+private:
+    DirectEncoder(const FrameSource &source, FrameStack frames, Bytes indices)
+        : mSource(&source)
+        , mFrames(std::move(frames))
+        , mIndices(std::move(indices))
+    {}
+
+    const MeshWalk &walkFor(Predictor predictor);
+    Result<std::vector<Bytes>> encodeGroups(const DirectSettings &settings, const Progress &progress);
+    EncodedAnimation assembled(const DirectSettings &settings, const std::vector<Bytes> &groups) const;
+
+    const FrameSource *mSource;
+    FrameStack mFrames;
+    Bytes mIndices;
+    std::optional<MeshWalk> mGrowing, mInFileOrder; ///< once they are needed
+};
 
 } // namespace model::codec

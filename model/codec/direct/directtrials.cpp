@@ -4,7 +4,6 @@
 #include "model/base/parallel.h"
 #include "model/codec/direct/directcodec.h"
 #include "model/codec/direct/grid.h"
-#include "model/codec/framestack.h"
 
 #include <cmath>
 #include <numeric>
@@ -19,10 +18,9 @@ constexpr double FinestBits = 24;
 class DirectTrials final : public TrialEncoder
 {
 public:
-    DirectTrials(const FrameSource &source, FrameStack frames)
-        : mSource(source)
-        , mFrames(std::move(frames))
-        , mEnergy(mFrames.centredEnergy())
+    explicit DirectTrials(DirectEncoder encoder)
+        : mEncoder(std::move(encoder))
+        , mEnergy(mEncoder.frames().centredEnergy())
     {}
 
     std::size_t familyCount() const override { return 1; }
@@ -36,15 +34,15 @@ public:
     {
         return kgError(settings, progress);
     }
-
     Result<double> kgError(const CodecSettings &settings, const Progress &progress) const
     {
-        const CellGrid grid = CellGrid::around(mFrames, std::get<DirectSettings>(settings).resolution);
-        std::vector<double> sums(mFrames.frameCount());
+        const FrameStack &frames = mEncoder.frames();
+        const CellGrid grid = CellGrid::around(frames, std::get<DirectSettings>(settings).resolution);
+        std::vector<double> sums(frames.frameCount());
         parallelFor(sums.size(), [&](std::size_t f) {
             if (progress.isCancelled())
                 return;
-            for (const Vec3f p : mFrames.frame(f)) {
+            for (const Vec3f p : frames.frame(f)) {
                 const Vec3f q = grid.middleOf(grid.cellOf(p));
                 const double x = double(p.x) - double(q.x), y = double(p.y) - double(q.y),
                              z = double(p.z) - double(q.z);
@@ -61,7 +59,7 @@ public:
         const auto error = kgError(settings, progress);
         if (!error)
             return fail(error.error());
-        const auto encoded = encodeDirect(mSource, std::get<DirectSettings>(settings), progress);
+        const auto encoded = mEncoder.encode(std::get<DirectSettings>(settings), progress);
         if (!encoded)
             return fail(encoded.error());
         return Trial{settings, encoded->bytes.size(), *error};
@@ -69,12 +67,11 @@ public:
 
     Result<EncodedAnimation> encode(const CompressionSettings &settings, const Progress &progress) override
     {
-        return encodeDirect(mSource, std::get<DirectSettings>(settings.method), progress);
+        return mEncoder.encode(std::get<DirectSettings>(settings.method), progress);
     }
 
 private:
-    const FrameSource &mSource;
-    const FrameStack mFrames;
+    DirectEncoder mEncoder;
     const double mEnergy;
 };
 
@@ -82,10 +79,10 @@ private:
 
 Result<std::unique_ptr<TrialEncoder>> prepareDirectTrials(const FrameSource &source, const Progress &progress)
 {
-    Result<FrameStack> frames = FrameStack::gather(source, progress);
-    if (!frames)
-        return fail(std::move(frames).error());
-    return std::make_unique<DirectTrials>(source, std::move(*frames));
+    Result<DirectEncoder> encoder = DirectEncoder::prepare(source, progress);
+    if (!encoder)
+        return fail(std::move(encoder).error());
+    return std::make_unique<DirectTrials>(std::move(*encoder));
 }
 
 } // namespace model::codec
