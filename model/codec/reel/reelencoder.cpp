@@ -14,13 +14,8 @@ using Eigen::MatrixXd;
 
 // Chosen on chicken, cow, dance, samba and horse-gallop at 1 % KG error, where each is near its optimum; that of the
 // geometric mean of the sizes is flat: half or twice of each costs about 1 - 3 %.
-// Basis trajectories of less than this many steps (root mean square over the vertices) are left out.
-constexpr double LeastStrength = 0.28;
 // The rest shape's step, in 32ths of the coefficients' less one.
 constexpr std::uint8_t ShapeShare = 47;
-// The step of a basis trajectory, in steps over the norm of its coefficients: that would balance the errors, but the
-// bits are spent better on the coefficients.
-constexpr double BasisStep = 1.3;
 // Squared steps that a bit must save. On the rest shape others build, so less is asked.
 constexpr double BitPrice = 0.12;
 constexpr double ShapeBitPrice = 0.08;
@@ -83,6 +78,27 @@ private:
     bool mExceeded = false;
 };
 
+// What suits the basis depends on how much of the file it is: on the values of a trajectory for each vertex. Chosen on
+// the five and bone, cloth_honey, faerie_md2, fox_survey, morph_columns and robot_dance, 0.02 to 1.6 of them.
+double valuesPerVertex(std::size_t frames, std::size_t vertices)
+{
+    return 3 * double(frames) / double(vertices);
+}
+
+/// Basis trajectories of less than this many steps (root mean square over the vertices) are left out: the dearer they
+/// are, the more they must bring.
+double leastStrength(double share)
+{
+    return std::clamp(0.8 * std::sqrt(share), 0.2, 0.4);
+}
+
+/// The step of a basis trajectory, in steps over the norm of its coefficients. 1 would balance the errors; but where
+/// vertices are many, the bits are spent better on them, whose neighbours learn from them.
+double basisStep(double share)
+{
+    return std::clamp(0.78 * std::pow(share, -0.28), 0.7, 1.6);
+}
+
 /// X with X m = b, for a symmetric positive semidefinite m.
 MatrixXd divided(const MatrixXd &b, MatrixXd m)
 {
@@ -133,6 +149,7 @@ double ReelEncoder::meanMotion() const
 
 Result<std::size_t> ReelEncoder::basisSizeFor(const ReelSettings &settings, double step, const Progress &progress)
 {
+    const double least = leastStrength(valuesPerVertex(mFrameNodes.size(), mVertexNodes.size()));
     const std::size_t most = settings.basisSize ? settings.basisSize : ReelSettings::MaxBasisSize;
     std::size_t count = std::min(most, FirstSearch);
     for (;;) {
@@ -140,7 +157,7 @@ Result<std::size_t> ReelEncoder::basisSizeFor(const ReelSettings &settings, doub
             return fail(found.error());
         const std::vector<double> &strengths = mTrajectories.strengths();
         std::size_t kept = 0;
-        while (kept < std::min(most, strengths.size()) && strengths[kept] > LeastStrength * step)
+        while (kept < std::min(most, strengths.size()) && strengths[kept] > least * step)
             ++kept;
         if (kept < strengths.size() || mTrajectories.hasAll() || count == most)
             return kept;
@@ -169,8 +186,9 @@ Result<ReelChoice> ReelEncoder::choose(const ReelSettings &settings, const Progr
     if (!basisSize)
         return fail(basisSize.error());
     p.basisSize = std::uint32_t(*basisSize);
+    const double share = basisStep(valuesPerVertex(mFrameNodes.size(), mVertexNodes.size()));
     for (std::size_t k = 0; k < *basisSize; ++k) {
-        const double wanted = BasisStep * settings.step / (mTrajectories.strengths()[k] / norm * std::sqrt(vertices));
+        const double wanted = share * settings.step / (mTrajectories.strengths()[k] / norm * std::sqrt(vertices));
         choice.stepExponents.push_back(std::int32_t(std::lround(8 * std::log2(wanted))));
     }
 
