@@ -5,6 +5,7 @@
 #include "tests/support/testmain.h"
 
 #include <numeric>
+#include <optional>
 #include <set>
 
 using namespace model;
@@ -253,6 +254,20 @@ private slots:
             decodeConnectivity(chunk, mesh.vertexCount, std::uint32_t(mesh.triangles.size()), Plenty, progress);
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::Cancelled);
+    }
+
+    void cancelledWhileASecondThreadCodes()
+    {
+        setThreadCount(2);
+        std::optional<Progress> progress;
+        progress.emplace([&](double fraction) {
+            if (fraction > 0.6)
+                progress->cancel();
+        });
+        const auto encoded = encodeConnectivity(sheet(200, 200), *progress);
+        setThreadCount(0);
+        QVERIFY(!encoded);
+        QCOMPARE(encoded.error().code, ErrorCode::Cancelled);
     }
 
     void sameInputSameBytes()
