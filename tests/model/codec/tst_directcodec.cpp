@@ -4,7 +4,7 @@
 #include "model/codec/direct/meshwalk.h"
 #include "tests/model/codec/animations.h"
 #include "tests/model/codec/filesurgery.h"
-#include "tests/model/codec/plaindirect.h"
+#include "tests/model/codec/plain/plaindirect.h"
 #include "tests/support/testmain.h"
 
 #include <QFile>

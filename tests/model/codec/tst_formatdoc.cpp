@@ -2,7 +2,7 @@
 #include "model/codec/animationcodec.h"
 #include "model/codec/container.h"
 #include "tests/model/codec/animations.h"
-#include "tests/model/codec/plaindecoder.h"
+#include "tests/model/codec/plain/plaindecoder.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/testmain.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/model/codec/plaindecoder.h"
-#include "tests/model/codec/plainreader.h"
+#include "tests/model/codec/plain/plaindecoder.h"
+#include "tests/model/codec/plain/plainreader.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/model/codec/plaindirect.h"
-#include "tests/model/codec/plaindecoder.h"
-#include "tests/model/codec/plainreader.h"
+#include "tests/model/codec/plain/plaindirect.h"
+#include "tests/model/codec/plain/plaindecoder.h"
+#include "tests/model/codec/plain/plainreader.h"
 
 #include <memory>
 #include <set>
