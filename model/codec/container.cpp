@@ -10,6 +10,10 @@ namespace model::codec {
 
 namespace {
 
+constexpr std::size_t TagLength = 4;
+// No payload is as long: sums of lengths do not overflow.
+constexpr std::uint64_t MaxLength = std::uint64_t(1) << 62;
+
 std::string versionText(unsigned major, unsigned minor)
 {
     return std::to_string(major) + '.' + std::to_string(minor);
@@ -79,24 +83,65 @@ Result<Header> decodeHeader(const Chunk &chunk)
     return header;
 }
 
+struct ChunkStart
+{
+    std::string tag;
+    std::uint64_t length = 0;
+};
+
+ChunkStart readChunkStart(ByteReader &reader)
+{
+    ChunkStart start;
+    const auto tag = reader.bytes(TagLength);
+    for (const std::uint8_t c : tag)
+        reader.require(isTagCharacter(c), "chunk tag", c, "letters and digits");
+    start.length = reader.varUint();
+    start.tag.assign(tag.begin(), tag.end());
+    return start;
+}
+
 Result<Chunk> readChunk(ByteReader &reader)
 {
     const std::uint64_t start = reader.offset();
-    const auto tag = reader.bytes(4);
-    for (const std::uint8_t c : tag)
-        reader.require(isTagCharacter(c), "chunk tag", c, "letters and digits");
-    const std::uint64_t length = reader.varUint();
+    const auto [tag, length] = readChunkStart(reader);
     Chunk chunk;
-    chunk.tag.assign(tag.begin(), tag.end());
+    chunk.tag = tag;
     chunk.offset = reader.offset();
     chunk.payload = reader.bytes(length);
     chunk.crc = reader.u32();
     if (!reader.ok())
         return fail(reader.error());
     chunk.size = reader.offset() - start;
-    if (crc32(chunk.payload, crc32(tag)) != chunk.crc)
+    if (crc32(chunk.payload, crc32(bytesOf(tag))) != chunk.crc)
         return fail(Error{ErrorCode::ChecksumMismatch, {chunk.tag}, {}, Error::None, start});
     return chunk;
+}
+
+// A file cut short within its magic is still told from a file of another kind.
+bool startsWithMagic(std::span<const std::uint8_t> file)
+{
+    const std::size_t there = std::min(file.size(), Magic.size());
+    return there > 0 && std::equal(Magic.begin(), Magic.begin() + std::ptrdiff_t(there), file.begin());
+}
+
+/// What is asked of a chunk by its place in the file. \param header  filled by the first chunk
+Result<void> acceptChunk(const Chunk &chunk, bool isFirst, Header &header)
+{
+    // The version decides how everything after it is read, so it comes first.
+    if (isFirst) {
+        if (chunk.tag != HeaderTag)
+            return fail(Error{ErrorCode::MissingChunk, {std::string(HeaderTag)}, {}, Error::None, Magic.size()});
+        Result<Header> decoded = decodeHeader(chunk);
+        if (!decoded)
+            return fail(std::move(decoded).error());
+        header = std::move(*decoded);
+    } else if (chunk.tag == HeaderTag) {
+        return fail(Error{ErrorCode::DuplicateChunk, {std::string(HeaderTag)}, {}, Error::None, chunk.offset});
+    }
+    if (chunk.tag == EndTag && !chunk.payload.empty())
+        return fail(
+            Error{ErrorCode::TrailingBytes, {std::to_string(chunk.payload.size())}, {}, Error::None, chunk.offset});
+    return {};
 }
 
 } // namespace
@@ -126,11 +171,9 @@ Result<Chunk> Container::only(std::string_view tag) const
 
 Result<Container> readContainer(std::span<const std::uint8_t> file)
 {
-    ByteReader reader(file);
-    // A file cut short within its magic is still told from a file of another kind.
-    const std::size_t there = std::min(file.size(), Magic.size());
-    if (there == 0 || !std::equal(Magic.begin(), Magic.begin() + std::ptrdiff_t(there), file.begin()))
+    if (!startsWithMagic(file))
         return fail(Error{ErrorCode::BadMagic, {".anim"}, {}, Error::None, 0});
+    ByteReader reader(file);
     reader.bytes(Magic.size());
     Container container;
     bool ended = false;
@@ -139,25 +182,70 @@ Result<Container> readContainer(std::span<const std::uint8_t> file)
         if (!chunk)
             return fail(std::move(chunk).error());
         ended = chunk->tag == EndTag;
-        // The version decides how everything after it is read, so it comes first.
-        if (container.chunks.empty()) {
-            if (chunk->tag != HeaderTag)
-                return fail(Error{ErrorCode::MissingChunk, {std::string(HeaderTag)}, {}, Error::None, Magic.size()});
-            Result<Header> header = decodeHeader(*chunk);
-            if (!header)
-                return fail(std::move(header).error());
-            container.header = std::move(*header);
-        }
-        if (ended && !chunk->payload.empty())
-            return fail(Error{
-                ErrorCode::TrailingBytes, {std::to_string(chunk->payload.size())}, {}, Error::None, chunk->offset});
+        if (const auto accepted = acceptChunk(*chunk, container.chunks.empty(), container.header); !accepted)
+            return fail(accepted.error());
         container.chunks.push_back(std::move(*chunk));
     }
     if (!reader.requireEnd())
         return fail(reader.error());
-    if (const auto header = container.only(HeaderTag); !header)
-        return fail(header.error());
     return container;
+}
+
+Result<void> ContainerReader::append(std::span<const std::uint8_t> piece)
+{
+    mFile.insert(mFile.end(), piece.begin(), piece.end());
+    if (!mFile.empty() && !startsWithMagic(mFile))
+        return fail(Error{ErrorCode::BadMagic, {".anim"}, {}, Error::None, 0});
+    if (mFile.size() < Magic.size())
+        return {};
+    mNext = std::max(mNext, Magic.size());
+    while (!mEnded) {
+        ByteReader reader = rest();
+        const Result<Chunk> chunk = readChunk(reader);
+        if (!chunk && chunk.error().code == ErrorCode::Truncated)
+            return {}; // for now
+        if (!chunk)
+            return fail(chunk.error());
+        if (const auto accepted = acceptChunk(*chunk, mParts.empty(), mHeader); !accepted)
+            return fail(accepted.error());
+        mParts.push_back({chunk->tag, std::size_t(chunk->offset), chunk->payload.size(), chunk->size, chunk->crc});
+        mNext = std::size_t(reader.offset());
+        mEnded = chunk->tag == EndTag;
+    }
+    ByteReader end = rest();
+    if (!end.requireEnd())
+        return fail(end.error());
+    return {};
+}
+
+Chunk ContainerReader::chunk(std::size_t index) const
+{
+    const Part &part = mParts[index];
+    return {part.tag, std::span(mFile).subspan(part.offset, part.length), part.offset, part.size, part.crc};
+}
+
+std::optional<CutChunk> ContainerReader::cut() const
+{
+    if (mNext == 0 || mEnded)
+        return {};
+    ByteReader reader = rest();
+    const auto [tag, length] = readChunkStart(reader);
+    if (!reader.ok())
+        return {};
+    const std::uint64_t offset = reader.offset();
+    return CutChunk{tag, length, reader.bytes(std::min<std::uint64_t>(length, reader.left())), offset};
+}
+
+std::uint64_t ContainerReader::leastBytes() const
+{
+    if (mEnded)
+        return mFile.size();
+    constexpr std::uint64_t EndLength = TagLength + 1 + CrcLength;
+    const std::optional<CutChunk> chunk = cut();
+    if (!chunk)
+        return std::max<std::uint64_t>(mFile.size() + 1, std::max(mNext, Magic.size()) + EndLength);
+    const std::uint64_t end = chunk->offset + std::min(chunk->length, MaxLength) + CrcLength;
+    return end + (chunk->tag == EndTag ? 0 : EndLength);
 }
 
 ContainerWriter::ContainerWriter(const Header &header)

@@ -4,6 +4,7 @@
 #include "model/base/bytes.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ inline constexpr std::array<std::uint8_t, 8> Magic{0x89, 'S', 'R', 'A', 0x0d, 0x
 
 inline constexpr std::string_view HeaderTag = "HEAD";
 inline constexpr std::string_view EndTag = "TAIL";
+inline constexpr std::size_t CrcLength = 4; ///< bytes, after the payload
 
 inline constexpr std::uint64_t MaxCreatorLength = 255; ///< bytes
 inline constexpr std::uint64_t MaxNameLength = 65535;  ///< bytes
@@ -72,6 +74,58 @@ struct Container
 /// \error BadMagic, UnsupportedVersion, UnsupportedFeature, Truncated, ChecksumMismatch, MissingChunk, DuplicateChunk,
 ///        BadValue, TrailingBytes; each with its offset
 Result<Container> readContainer(std::span<const std::uint8_t> file);
+
+/// The chunk that a file which is not whole breaks off in.
+struct CutChunk
+{
+    std::string tag;
+    std::uint64_t length = 0; ///< of the whole payload, as declared: nothing of it need be true
+    /// What has come of it; no checksum has been verified.
+    std::span<const std::uint8_t> payload;
+    std::uint64_t offset = 0; ///< of the payload in the file
+};
+
+/// Takes a file apart while its bytes come. Chunks that are whole have been verified as readContainer() does; the last
+/// one may be cut short. Each byte is looked at once, however small the pieces are.
+class ContainerReader
+{
+public:
+    /// \error as readContainer() but Truncated, as soon as the bytes show it; the reader is of no use then
+    Result<void> append(std::span<const std::uint8_t> piece);
+
+    /// Null until its chunk is whole.
+    const Header *header() const { return mParts.empty() ? nullptr : &mHeader; }
+    /// Chunks that are whole, the header's included.
+    std::size_t chunkCount() const { return mParts.size(); }
+    /// A view of file(), valid until append().
+    Chunk chunk(std::size_t index) const;
+    /// The chunk after these, once tag and length are there. A view of file(), valid until append().
+    std::optional<CutChunk> cut() const;
+    /// The end was read.
+    bool isComplete() const { return mEnded; }
+    /// Bytes that the file has at least, as far as it is known.
+    std::uint64_t leastBytes() const;
+    /// All bytes so far.
+    const Bytes &file() const { return mFile; }
+    Bytes takeFile() { return std::move(mFile); }
+
+private:
+    struct Part
+    {
+        std::string tag;
+        std::size_t offset = 0, length = 0;
+        std::uint64_t size = 0;
+        std::uint32_t crc = 0;
+    };
+
+    ByteReader rest() const { return ByteReader(std::span(mFile).subspan(mNext), mNext); }
+
+    Bytes mFile;
+    std::size_t mNext = 0; ///< where the chunk after mParts starts; 0 until the magic was seen
+    Header mHeader;
+    std::vector<Part> mParts;
+    bool mEnded = false;
+};
 
 /// Puts a file together: the header, then what chunk() adds, then the end.
 class ContainerWriter

@@ -7,6 +7,8 @@
 
 #include <zlib.h>
 
+#include <algorithm>
+
 using namespace model;
 using namespace model::codec;
 
@@ -56,6 +58,50 @@ private slots:
             QVERIFY2(code == (length == 0 ? ErrorCode::BadMagic : ErrorCode::Truncated),
                      qPrintable(QString::number(length)));
         }
+    }
+
+    void prefixesComeApart()
+    {
+        const Bytes file = tests::smallFile();
+        const auto whole = readContainer(file);
+        ContainerReader reader;
+        QVERIFY(reader.append({}).has_value() && !reader.header() && !reader.cut());
+        for (std::size_t length = 1; length <= file.size(); ++length) {
+            QVERIFY(reader.append(std::span(file).subspan(length - 1, 1)).has_value());
+            // Whole chunks, as readContainer() finds them in the whole file.
+            std::size_t count = 0;
+            while (count < whole->chunks.size() &&
+                   whole->chunks[count].offset + whole->chunks[count].payload.size() + CrcLength <= length)
+                ++count;
+            QCOMPARE(reader.chunkCount(), count);
+            QCOMPARE(reader.header() != nullptr, count > 0);
+            for (std::size_t i = 0; i < count; ++i) {
+                QCOMPARE(reader.chunk(i).tag, whole->chunks[i].tag);
+                QCOMPARE(reader.chunk(i).offset, whole->chunks[i].offset);
+                QCOMPARE(reader.chunk(i).crc, whole->chunks[i].crc);
+                QCOMPARE(reader.chunk(i).size, whole->chunks[i].size);
+                QVERIFY(std::ranges::equal(reader.chunk(i).payload, whole->chunks[i].payload));
+            }
+            QCOMPARE(reader.isComplete(), length == file.size());
+            QVERIFY(reader.leastBytes() <= file.size());
+            QVERIFY(reader.leastBytes() > length || reader.isComplete());
+            const auto cut = reader.cut();
+            const bool hasStart = count < whole->chunks.size() && length >= whole->chunks[count].offset;
+            QCOMPARE(cut.has_value(), hasStart);
+            if (hasStart) {
+                const Chunk &chunk = whole->chunks[count];
+                QCOMPARE(cut->tag, chunk.tag);
+                QCOMPARE(cut->length, std::uint64_t(chunk.payload.size()));
+                QCOMPARE(cut->offset, chunk.offset);
+                const std::size_t there = std::min<std::size_t>(length - chunk.offset, chunk.payload.size());
+                QVERIFY(std::ranges::equal(cut->payload, chunk.payload.first(there)));
+            }
+        }
+        QCOMPARE(reader.leastBytes(), std::uint64_t(file.size()));
+        QCOMPARE(reader.header()->name, whole->header.name);
+        QVERIFY(reader.file() == file);
+        const Bytes one{0};
+        QCOMPARE(int(reader.append(one).error().code), int(ErrorCode::TrailingBytes));
     }
 
     void everyFlippedBitIsNoticed()
