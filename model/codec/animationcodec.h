@@ -26,6 +26,9 @@ public:
     virtual std::uint64_t encodedBytes() const = 0;
     /// The chunks as they came, so that renaming and saving loses nothing.
     virtual const Bytes &encoded() const = 0;
+    /// How many bytes of the file, from its start, a ProgressiveReader needs to show it with 0, 1, ... basisSize()
+    /// basis trajectories; empty for a codec of which only the whole file shows anything.
+    virtual std::span<const std::uint64_t> prefixBytes() const { return {}; }
     /// Decodes all that opening has left for later. Where that fails, positions() shows the last frame that could be
     /// decoded instead. \error CorruptStream, Cancelled
     virtual Result<void> check(const Progress &) const { return {}; }

@@ -109,6 +109,9 @@ public:
             mWeights[mSet][i] += std::int32_t(mStretched[i] * error * Rate >> RateBits);
     }
 
+    const std::array<std::int32_t, Inputs> &weights(std::size_t set) const { return mWeights[set]; }
+    void setWeights(std::size_t set, const std::array<std::int32_t, Inputs> &weights) { mWeights[set] = weights; }
+
 private:
     static constexpr unsigned WeightBits = 16;
     static constexpr std::int32_t FirstWeight = std::int32_t((1 << WeightBits) * 14 / (10 * Inputs));

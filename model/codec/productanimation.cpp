@@ -35,6 +35,11 @@ void ProductAnimation::setCoefficient(std::uint32_t k, std::size_t vertex, doubl
     mTiles[(vertex / TileVertices * mRank + k) * TileVertices + vertex % TileVertices] = float(value);
 }
 
+float ProductAnimation::coefficient(std::uint32_t k, std::size_t vertex) const
+{
+    return mTiles[(vertex / TileVertices * mRank + k) * TileVertices + vertex % TileVertices];
+}
+
 void ProductAnimation::setMeans(std::span<const std::int64_t> quantized, double perUnit)
 {
     mMeans.reserve(quantized.size());

@@ -17,6 +17,7 @@ public:
 
     // The decoder fills the parts, then hands the animation out as const. Different k may be set from several threads.
     void setFile(Bytes file, std::uint64_t digest);
+    void setPrefixBytes(std::vector<std::uint64_t> bytes) { mPrefixBytes = std::move(bytes); }
     void setConnectivity(Connectivity connectivity) { mConnectivity = std::move(connectivity); }
     void setMeans(std::vector<double> means) { mMeans = std::move(means); } ///< #F x 3
     void setBasis(std::uint32_t k, std::size_t row, double value) { mBasis[row * mRank + k] = float(value); }
@@ -31,6 +32,12 @@ public:
     }
     void setCoefficientRow(std::uint32_t k, std::span<const std::int32_t> quantized, double perUnit);
 
+    /// Trajectories of the product, with those that basisSize() does not count.
+    std::uint32_t rank() const { return mRank; }
+    double mean(std::size_t row) const { return mMeans[row]; }
+    float basis(std::uint32_t k, std::size_t row) const { return mBasis[row * mRank + k]; }
+    float coefficient(std::uint32_t k, std::size_t vertex) const;
+
     std::uint32_t frameCount() const override { return mHeader.frameCount; }
     const Connectivity &connectivity() const override { return mConnectivity; }
     void positions(std::uint32_t frame, std::span<Vec3f> out) const override;
@@ -44,6 +51,7 @@ public:
     std::uint32_t basisSize() const override { return mBasisSize; }
     std::uint64_t encodedBytes() const override { return mFile.size(); }
     const Bytes &encoded() const override { return mFile; }
+    std::span<const std::uint64_t> prefixBytes() const override { return mPrefixBytes; }
 
     /// Bytes that an animation of this size will hold with one frame of it, its file not counted; for refusing a
     /// hostile file in time.
@@ -55,6 +63,7 @@ private:
     std::uint32_t mBasisSize;
     std::uint32_t mRank;
     Bytes mFile;
+    std::vector<std::uint64_t> mPrefixBytes;
     std::uint64_t mDigest = 0;
     Connectivity mConnectivity;
     std::vector<double> mMeans; ///< #F x 3

@@ -29,4 +29,19 @@ Bytes RangeEncoder::finish()
     return std::move(mOut);
 }
 
+Bytes RangeDecoder::endedHere() const
+{
+    // What was read, as one number, is the encoder's low plus the decoder's code: take that away, then end as
+    // finish() does.
+    Bytes stream(mData.begin(), mData.begin() + std::ptrdiff_t(mPosition));
+    std::int64_t carry = std::int64_t(MinRange - 1) - std::int64_t(mCode);
+    for (std::size_t i = stream.size(); i-- > 0 && carry != 0;) {
+        carry += stream[i];
+        stream[i] = std::uint8_t(carry & 0xff);
+        carry >>= 8;
+    }
+    stream.resize(stream.size() - ImpliedBytes);
+    return stream;
+}
+
 } // namespace model::codec

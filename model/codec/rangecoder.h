@@ -3,6 +3,7 @@
 
 #include "model/base/bytes.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -142,6 +143,17 @@ public:
     bool isBad() const { return mBad || mPosition > mData.size() + ImpliedBytes; }
     /// True if all decisions were decoded from a whole stream and nothing is left over.
     bool isAtEnd() const { return !mBad && mPosition == mData.size() + ImpliedBytes; }
+
+    // For a stream whose end has not come yet: bytes past it are zeros here too, but must not be taken for any.
+    /// Bytes read so far; it reads ahead.
+    std::size_t position() const { return mPosition; }
+    /// Bytes that were not read yet.
+    std::size_t left() const { return mData.size() - std::min(mPosition, mData.size()); }
+    bool hasReadPastEnd() const { return mPosition > mData.size(); }
+    /// \param data  what it had, wherever it lies now, and more
+    void extend(std::span<const std::uint8_t> data) { mData = data; }
+    /// The stream that an encoder would have written if it had stopped here. Precondition: !hasReadPastEnd()
+    Bytes endedHere() const;
 
 private:
     std::uint32_t taken(std::uint32_t bound)

@@ -63,6 +63,7 @@ void BandCoder::endBand()
         mNearby[i] = adjacent.empty() ? 0 : sum / std::uint32_t(adjacent.size());
     }
     ++mBand;
+    mNode = 0;
 }
 
 std::uint64_t BandCoder::neededBytes(std::uint64_t nodes, std::uint64_t bands)

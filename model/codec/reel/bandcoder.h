@@ -30,7 +30,7 @@ std::vector<double> levelSteps(std::size_t finest, double ratio);
 ///
 /// `Residual` answers for each node: `std::int32_t operator()(Model &, const Model::Contexts &, std::size_t set,
 /// std::uint32_t node, double predicted, double step)` codes the node's residual, in steps of its level. So one walk
-/// serves encoder, decoder and trial.
+/// serves encoder, decoder and trial. One that has `bool hasRunOut()` may be without an answer for now.
 class BandCoder
 {
 public:
@@ -41,12 +41,13 @@ public:
     /// Keeps a view of `nodes`. \param prior  weights to start with
     BandCoder(const CoarseToFine &nodes, std::vector<Weights> prior, const BandSettings &settings);
 
+    /// \returns false if the residuals ran out in the middle of the band: the next call goes on there
     template <class Residual>
-    void nextBand(Residual &&residual)
+    bool nextBand(Residual &&residual)
     {
         if (mBand == mNextLesson)
             learn();
-        for (std::size_t i = 0; i < mNodes.size(); ++i) {
+        for (std::size_t i = mNode; i < mNodes.size(); ++i) {
             const auto known = mNodes.known[i];
             double predicted = 0;
             for (std::size_t j = 0; j < known.size(); ++j)
@@ -55,12 +56,18 @@ public:
             std::size_t set = 0;
             const Model::Contexts contexts = contextsOf(i, known, set);
             const std::int32_t q = residual(mModel, contexts, set, std::uint32_t(i), predicted, step);
+            if constexpr (requires { residual.hasRunOut(); })
+                if (residual.hasRunOut()) {
+                    mNode = i;
+                    return false;
+                }
             mValues[i * mSettings.bands + mBand] = predicted + q * step;
             const std::uint32_t magnitude = std::min(std::uint32_t(std::abs(q)), MagnitudeLimit);
             mMagnitudes[i] = std::uint16_t(magnitude);
             mRunning += (std::int32_t(magnitude * 256) - mRunning) >> 6;
         }
         endBand();
+        return true;
     }
 
     std::size_t band() const { return mBand; }
@@ -115,6 +122,7 @@ private:
     std::vector<double> mValues; ///< #N x bands
     Model mModel;
     std::size_t mBand = 0;
+    std::size_t mNode = 0; ///< of this band, where to go on
     std::size_t mNextLesson;
     // Magnitudes of residuals, in steps of their levels.
     std::vector<std::uint16_t> mMagnitudes; ///< #N; in this band

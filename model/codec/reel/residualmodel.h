@@ -105,8 +105,41 @@ private:
     static constexpr unsigned CountLimit = 250;
     /// Digits that have a mixer of their own; the later ones share the last.
     static constexpr std::size_t MixedDigits = 3;
+    static constexpr unsigned TailBits = 29;
     using Digits = std::array<CountedBit, DigitCount>;
 
+public:
+    /// More bytes than code() can read: no decision takes more than two.
+    static constexpr std::size_t MostBytes = 2 * (DigitCount + 1 + TailBits + (TailBits - 1) / MaxDirectBits + 1);
+
+    /// All that one call of code() changes.
+    struct Memory
+    {
+        std::array<Digits, Inputs> digits;
+        std::array<std::array<std::int32_t, Inputs>, MixedDigits> weights;
+        std::array<AdaptiveBit, TailBits> tail;
+    };
+    Memory remember(const Contexts &contexts, std::size_t set) const
+    {
+        Memory memory;
+        for (std::size_t i = 0; i < Inputs; ++i)
+            memory.digits[i] = mDigits[mStarts[i] + contexts[i]];
+        for (std::size_t m = 0; m < MixedDigits; ++m)
+            memory.weights[m] = mMixers[m].weights(set);
+        memory.tail = mTail;
+        return memory;
+    }
+    /// As it was before code(): for a decoder that ran out of bytes in the middle of a residual.
+    void restore(const Contexts &contexts, std::size_t set, const Memory &memory)
+    {
+        for (std::size_t i = 0; i < Inputs; ++i)
+            mDigits[mStarts[i] + contexts[i]] = memory.digits[i];
+        for (std::size_t m = 0; m < MixedDigits; ++m)
+            mMixers[m].setWeights(set, memory.weights[m]);
+        mTail = memory.tail;
+    }
+
+private:
     std::uint32_t probability(Digits *const (&digits)[Inputs], std::size_t digit, std::size_t set)
     {
         std::array<CountedBit *, Inputs> bits;
@@ -141,7 +174,6 @@ private:
         }
         return result - 1;
     }
-    static constexpr unsigned TailBits = 29;
 
     std::array<std::size_t, Inputs> mStarts{};
     std::vector<Digits> mDigits;

@@ -78,6 +78,56 @@ class TestRangeCoder final : public QObject
     Q_OBJECT
 
 private slots:
+    void streamsCanEndAnywhere()
+    {
+        for (const double p : {0.5, 0.02, 0.999}) {
+            const std::vector<Decision> all = decisions(p, 3000, 5);
+            const Bytes stream = encode(all);
+            RangeDecoder coder(stream);
+            std::array<AdaptiveBit, 8> models;
+            for (std::size_t i = 0; !coder.hasReadPastEnd(); ++i) {
+                // As if the encoder had stopped there.
+                const Bytes ended = coder.endedHere();
+                const std::vector<Decision> first(all.begin(), all.begin() + std::ptrdiff_t(i));
+                if (i % 16 == 0)
+                    QVERIFY(ended == encode(first));
+                QVERIFY(decodesTo(ended, first));
+                if (i == all.size())
+                    break;
+                all[i].model == 8 ? coder.direct(all[i].count) : coder.bit(models[all[i].model]);
+            }
+        }
+    }
+
+    void streamsCanComeInPieces()
+    {
+        // Nothing is decided by bytes that have not come, nor read twice.
+        const std::vector<Decision> all = decisions(0.1, 2000, 9);
+        const Bytes stream = encode(all);
+        Bytes there(stream.begin(), stream.begin() + 4);
+        RangeDecoder coder(there);
+        std::array<AdaptiveBit, 8> models;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const RangeDecoder before = coder;
+            const auto modelsBefore = models;
+            const auto decode = [&] {
+                return all[i].model == 8 ? coder.direct(all[i].count) : coder.bit(models[all[i].model]);
+            };
+            std::uint32_t value = decode();
+            while (coder.hasReadPastEnd() && there.size() < stream.size()) {
+                const Bytes longer(stream.begin(), stream.begin() + std::ptrdiff_t(there.size() + 1));
+                there = longer; // elsewhere in memory
+                coder = before;
+                coder.extend(there);
+                models = modelsBefore;
+                value = decode();
+            }
+            QCOMPARE(value, all[i].value);
+        }
+        QVERIFY(coder.isAtEnd());
+        QVERIFY(there == stream);
+    }
+
     void roundTrip_data()
     {
         QTest::addColumn<double>("probability");

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/animationcodec.h"
+#include "model/codec/progressivereader.h"
 #include "tests/model/codec/animations.h"
 #include "tests/support/realdata.h"
 #include "tests/support/testmain.h"
+
+#include <cmath>
 
 using namespace model;
 using namespace model::codec;
@@ -43,6 +46,31 @@ private slots:
         const double size = 8.0 * double(encoded->bytes.size()) / source.frameCount() / source.vertexCount();
         QVERIFY2(error > 0 && error < largestError, qPrintable(QString::number(error)));
         QVERIFY2(size < largestSize, qPrintable(QString::number(size)));
+    }
+
+    void aReelFileShowsMoreWithEachByte()
+    {
+        const auto source = tests::normalised(*tests::readPointCache(tests::sequenceFolder("dance").toStdString()));
+        const auto encoded = encodeAnimation(source, {ReelSettings()});
+        QVERIFY(encoded.has_value());
+        const auto expected = tests::reordered(source, encoded->permutation);
+        ProgressiveReader reader;
+        double before = INFINITY;
+        for (const std::size_t percent : {10, 20, 40, 60, 80, 100}) {
+            const std::size_t end = encoded->bytes.size() * percent / 100;
+            const std::size_t start = std::size_t(reader.bytesRead());
+            QVERIFY(reader.append(std::span(encoded->bytes).subspan(start, end - start)).has_value());
+            if (!reader.isPlayable()) {
+                qInfo("%3zu %% of the bytes: nothing to show", percent);
+                continue;
+            }
+            const double error = tests::kgErrorPercent(expected, *reader.animation());
+            qInfo("%3zu %% of the bytes: %u of %u trajectories, KG error %.3f %%", percent, reader.bandCount(),
+                  reader.bandsInFile(), error);
+            QVERIFY(error < before);
+            before = error;
+        }
+        QVERIFY2(before < 1.3, qPrintable(QString::number(before)));
     }
 };
 
