@@ -77,6 +77,13 @@ model::Result<void> addEncoding(const model::codec::DecodedAnimation &anim, QJso
         sizeTexts << QStringLiteral("%1 %2").arg(tag).arg(chunk.bytes);
     }
     json["bytes"] = bytes;
+    const auto prefixes = anim.prefixBytes();
+    if (!prefixes.empty()) {
+        QJsonArray list;
+        for (std::size_t k = 0; k < prefixes.size(); ++k)
+            list.append(QJsonObject{{"basis", double(k)}, {"bytes", double(prefixes[k])}});
+        json["prefixes"] = list;
+    }
     json["ratio"] = rawBytes(anim) / bytes;
     json["bpfv"] = bitsPerFrameAndVertex(bytes, anim);
     const QString codec = addSettings(anim, json);
@@ -89,6 +96,10 @@ model::Result<void> addEncoding(const model::codec::DecodedAnimation &anim, QJso
          << QStringLiteral("codec         %1").arg(codec)
          << QStringLiteral("creator       %1").arg(fromUtf8(anim.creator()))
          << QStringLiteral("chunks        %1 (bytes)").arg(sizeTexts.join(QStringLiteral(", ")));
+    if (prefixes.size() > 1)
+        text << QStringLiteral("progressive   first picture after %1 bytes, half of the trajectories after %2")
+                    .arg(prefixes[0])
+                    .arg(prefixes[prefixes.size() / 2]);
     return {};
 }
 

@@ -3,9 +3,11 @@
 
 #include "model/animation/editedframes.h"
 #include "model/animation/settingsfields.h"
+#include "model/codec/progressivereader.h"
 #include "model/io/failure.h"
 #include "model/io/filebuffer.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace model::io {
@@ -19,6 +21,32 @@ Result<std::shared_ptr<const codec::DecodedAnimation>> openAnim(const QString &p
     if (!decoded)
         return failIn(path, std::move(decoded.error()));
     return decoded;
+}
+
+Result<AnimPrefix> openAnimPrefix(const QString &path, std::uint64_t byteCount, const Progress &progress)
+{
+    const Result<Bytes> bytes = readBytes(path, progress);
+    if (!bytes)
+        return fail(bytes.error());
+    const std::uint64_t count = std::min<std::uint64_t>(byteCount, bytes->size());
+    codec::ProgressiveReader reader;
+    if (auto read = reader.append(std::span(*bytes).first(std::size_t(count)), progress); !read)
+        return failIn(path, std::move(read.error()));
+    if (reader.isPlayable())
+        return AnimPrefix{reader.animation(), reader.bandsInFile(), count,
+                          std::max<std::uint64_t>(reader.leastBytes(), bytes->size())};
+    // What else is there says how much is needed.
+    while (!reader.isPlayable() && reader.bytesRead() < std::min<std::uint64_t>(reader.playableFrom(), bytes->size())) {
+        const std::uint64_t more = std::min<std::uint64_t>(reader.playableFrom(), bytes->size()) - reader.bytesRead();
+        const auto rest = std::span(*bytes).subspan(std::size_t(reader.bytesRead()), std::size_t(more));
+        if (auto read = reader.append(rest, progress); !read)
+            return failIn(path, std::move(read.error()));
+    }
+    return failIn(path, Error{ErrorCode::Truncated,
+                              {std::to_string(reader.playableFrom()), std::to_string(count)},
+                              {},
+                              Error::None,
+                              count});
 }
 
 Result<Bytes> readBytes(const QString &path, const Progress &progress)

@@ -6,6 +6,8 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
 #include <QTemporaryDir>
 
 class TestDecode : public QObject
@@ -20,6 +22,9 @@ private slots:
     void pointCacheIsReadBack();
     void framesAlreadyThereAreKept();
     void inputFolderIsNoOutput();
+    void firstBytesShowTheFirstTrajectories();
+    void tooFewBytesAreRefused();
+    void cutFilesCanBeDecodedInPart();
     void outputThatCannotBeWritten_data();
     void outputThatCannotBeWritten();
 
@@ -126,6 +131,92 @@ void TestDecode::inputFolderIsNoOutput()
         QVERIFY2(run.err.contains("a folder that is not the input"), run.err.constData());
         QCOMPARE(tests::contentsOf(path("both")), before);
     }
+}
+
+void TestDecode::firstBytesShowTheFirstTrajectories()
+{
+    SANDREEL_RUN(
+        encode, 0,
+        {"encode", path("in"), "-o", path("fine.anim"), "--step", "0.0005", "--permutation", path("fine.txt")});
+    SANDREEL_RUN(info, 0, {"info", path("fine.anim"), "--json"});
+    const int basis = info.json().value("basis").toInt();
+    QVERIFY(basis > 1);
+    const QJsonArray prefixes = info.json().value("prefixes").toArray();
+    QCOMPARE(prefixes.size(), qsizetype(basis + 1));
+    SANDREEL_RUN(text, 0, {"info", path("fine.anim")});
+    QVERIFY2(text.out.contains("first picture after " +
+                               QByteArray::number(prefixes[0].toObject().value("bytes").toInt()) + " bytes"),
+             text.out.constData());
+    const tests::Frames original = tests::framesOf(*mWave);
+    const std::vector<std::uint32_t> permutation = tests::readPermutation(path("fine.txt"));
+    const qint64 size = QFileInfo(path("fine.anim")).size();
+    double before = 1e9;
+    for (int k = 0; k <= basis; ++k) {
+        QCOMPARE(prefixes[k].toObject().value("basis").toInt(), k);
+        const int bytes = prefixes[k].toObject().value("bytes").toInt();
+        SANDREEL_RUN(
+            part, 0,
+            {"decode", path("fine.anim"), "-o", path("part.pc2"), "--json", "--bytes", QString::number(bytes)});
+        QCOMPARE(part.json().value("basis").toInt(), k);
+        QCOMPARE(part.json().value("basis_in_file").toInt(), basis);
+        QCOMPARE(part.json().value("bytes").toInt(), bytes);
+        QCOMPARE(part.json().value("file_bytes").toInt(), int(size));
+        // It is nearer to the original with each trajectory.
+        const auto cache = tests::readPc2(path("part.pc2"));
+        QVERIFY(cache.has_value());
+        const double error = tests::errorsBetween(original, cache->frames, permutation).kgPercent;
+        QVERIFY2(error < before, qPrintable(QString("%1 after %2").arg(error).arg(before)));
+        before = error;
+        if (k > 0) {
+            SANDREEL_RUN(
+                less, 0,
+                {"decode", path("fine.anim"), "-o", path("less.pc2"), "--json", "--bytes", QString::number(bytes - 1)});
+            QCOMPARE(less.json().value("basis").toInt(), k - 1);
+        }
+    }
+    // More than there is: the whole file.
+    SANDREEL_RUN(all, 0, {"decode", path("fine.anim"), "-o", path("all.pc2"), "--bytes", "1000000"});
+    QVERIFY2(all.err.contains(QStringLiteral("from %1 of %1 bytes with %2 of %2").arg(size).arg(basis).toLatin1()),
+             all.err.constData());
+    SANDREEL_RUN(whole, 0, {"decode", path("fine.anim"), "-o", path("whole.pc2")});
+    QVERIFY(tests::readFile(path("all.pc2")) == tests::readFile(path("whole.pc2")));
+}
+
+void TestDecode::tooFewBytesAreRefused()
+{
+    SANDREEL_RUN(info, 0, {"info", path("in.anim"), "--json"});
+    const int needed = info.json().value("prefixes").toArray().at(0).toObject().value("bytes").toInt();
+    QVERIFY(needed > 20);
+    for (const int bytes : {1, 20, needed - 1}) {
+        SANDREEL_RUN(run, 2, {"decode", path("in.anim"), "-o", path("few.pc2"), "--bytes", QString::number(bytes)});
+        QVERIFY2(run.err.contains(QByteArray::number(needed) + " or more"), run.err.constData());
+        QVERIFY(!QFileInfo::exists(path("few.pc2")));
+    }
+    SANDREEL_RUN(none, 2, {"decode", path("in.anim"), "-o", path("few.pc2"), "--bytes", "0"});
+    SANDREEL_RUN(frames, 2, {"decode", path("in"), "-o", path("few.pc2"), "--bytes", "1000"});
+    QVERIFY2(frames.err.contains("codec reel"), frames.err.constData());
+    SANDREEL_RUN(encode, 0, {"encode", path("in"), "-o", path("pca.anim"), "--codec", "pca"});
+    SANDREEL_RUN(pca, 2, {"decode", path("pca.anim"), "-o", path("few.pc2"), "--bytes", "300"});
+    QVERIFY2(pca.err.contains("codec reel"), pca.err.constData());
+}
+
+void TestDecode::cutFilesCanBeDecodedInPart()
+{
+    const QByteArray whole = tests::readFile(path("in.anim"));
+    tests::writeFile(path("cut.anim"), whole.left(whole.size() - 20));
+    SANDREEL_RUN(run, 3, {"decode", path("cut.anim"), "-o", path("cut.pc2")});
+    QVERIFY2(run.err.contains("too early") && run.err.contains("--bytes " + QByteArray::number(whole.size() - 20)),
+             run.err.constData());
+    SANDREEL_RUN(part, 0, {"decode", path("cut.anim"), "-o", path("cut.pc2"), "--json", "--bytes", "1000000"});
+    QCOMPARE(part.json().value("bytes").toInt(), int(whole.size() - 20));
+    QCOMPARE(part.json().value("file_bytes").toInt(), int(whole.size()));
+    QVERIFY(part.json().value("basis").toInt() < part.json().value("basis_in_file").toInt());
+    // Nothing that could be shown.
+    tests::writeFile(path("short.anim"), whole.left(60));
+    SANDREEL_RUN(none, 3, {"decode", path("short.anim"), "-o", path("none.pc2")});
+    QVERIFY2(!none.err.contains("--bytes"), none.err.constData());
+    SANDREEL_RUN(early, 3, {"decode", path("short.anim"), "-o", path("none.pc2"), "--bytes", "50"});
+    QVERIFY2(early.err.contains("too early"), early.err.constData());
 }
 
 void TestDecode::outputThatCannotBeWritten_data()

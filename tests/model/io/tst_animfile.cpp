@@ -110,6 +110,42 @@ private slots:
         QVERIFY((*again)->frame(3) == decoded->frame(3));
     }
 
+    void firstBytesOpen()
+    {
+        const auto encoded = codec::encodeAnimation(WavyFrames(40, 8), {ReelSettings{0.001, 0}});
+        QVERIFY(encoded.has_value());
+        QVERIFY(saveBytes(path("wavy.anim"), encoded->bytes).has_value());
+        const std::uint64_t size = encoded->bytes.size();
+        const auto whole = openAnimPrefix(path("wavy.anim"), size + 5);
+        QVERIFY(whole.has_value());
+        QCOMPARE(whole->bytes, size);
+        QCOMPARE(whole->fileBytes, size);
+        QCOMPARE(whole->animation->basisSize(), whole->bandsInFile);
+        QVERIFY(whole->animation->encoded() == encoded->bytes);
+        const std::uint64_t least = whole->animation->prefixBytes().front();
+        const auto part = openAnimPrefix(path("wavy.anim"), least);
+        QVERIFY(part.has_value());
+        QCOMPARE(part->bytes, least);
+        QCOMPARE(part->animation->basisSize(), 0u);
+        QCOMPARE(part->bandsInFile, whole->bandsInFile);
+        const auto tooFew = openAnimPrefix(path("wavy.anim"), least - 1);
+        SANDREEL_COMPARE_ERROR(tooFew, ErrorCode::Truncated);
+        QCOMPARE(tests::argsOf(tooFew.error()), (QStringList{QString::number(least), QString::number(least - 1)}));
+        QCOMPARE(tooFew.error().file, path("wavy.anim").toStdString());
+        // The file itself ends in the middle of its shape: as much as it tells.
+        QVERIFY(QFile::resize(path("wavy.anim"), qint64(least - 3)));
+        const auto cut = openAnimPrefix(path("wavy.anim"), 40);
+        SANDREEL_COMPARE_ERROR(cut, ErrorCode::Truncated);
+        QCOMPARE(tests::argsOf(cut.error()), (QStringList{QString::number(least), "40"}));
+        SANDREEL_COMPARE_ERROR(openAnimPrefix(path("none.anim"), 40), ErrorCode::NotFound);
+        // Of the other codecs all is needed.
+        encodeAndOpen();
+        const qint64 all = QFileInfo(path("wavy.anim")).size();
+        const auto pca = openAnimPrefix(path("wavy.anim"), std::uint64_t(all) - 1);
+        SANDREEL_COMPARE_ERROR(pca, ErrorCode::Truncated);
+        QCOMPARE(tests::argsOf(pca.error()).at(0), QString::number(all));
+    }
+
     void changedAnimationIsEncodedAgain()
     {
         const auto decoded = encodeAndOpen();
