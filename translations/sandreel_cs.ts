@@ -526,6 +526,14 @@
         <translation>Toto není permutace vrcholů: %1.</translation>
     </message>
     <message>
+        <source>The terrain is damaged: %1 (%2).</source>
+        <translation>Terén je poškozený: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The line from point %1 to point %2 crosses the fixed line from point %3 to point %4.</source>
+        <translation>Úsečka z bodu %1 do bodu %2 kříží pevnou úsečku z bodu %3 do bodu %4.</translation>
+    </message>
+    <message>
         <source>%1 cannot be %2. Allowed: %3.</source>
         <translation>%1 nemůže být %2. Povoleno: %3.</translation>
     </message>
@@ -640,6 +648,22 @@
     <message>
         <source>at most the bytes left</source>
         <translation>nejvýše zbývající bajty</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>bod %1</translation>
+    </message>
+    <message>
+        <source>number of points</source>
+        <translation>počet bodů</translation>
+    </message>
+    <message>
+        <source>extent of the terrain</source>
+        <translation>rozměry terénu</translation>
+    </message>
+    <message>
+        <source>more than nothing in both directions</source>
+        <translation>v obou směrech více než nula</translation>
     </message>
     <message>
         <source>There are %1 vertices here, but %2 in %3. All frames of an animation and its base mesh need the same vertices.</source>

@@ -7,6 +7,7 @@ ErrorCategory categoryOf(ErrorCode code)
 {
     switch (code) {
     case ErrorCode::BadSetting:
+    case ErrorCode::CrossingConstraints:
         return ErrorCategory::Usage;
     case ErrorCode::CannotOpen:
     case ErrorCode::CannotRead:

@@ -39,8 +39,10 @@ enum class ErrorCode : std::uint16_t {
     ImporterFailed,     ///< a library's reader refused the file; args: its message
     MeshesDiffer,       ///< two animations that cannot be compared; args: what, here, there
     BadPermutation,     ///< a permutation file that is none; args: what is wrong
+    BrokenTerrain,      ///< a triangulation that breaks its own rules; args: the rule, the ids at fault
     // The caller asked for something that cannot be.
-    BadSetting, ///< args: the setting, its value, the allowed range
+    BadSetting,          ///< args: the setting, its value, the allowed range
+    CrossingConstraints, ///< a line that may not cross another; args: the vertices of the one, of the other
     // The world.
     CannotOpen,  ///< args: the system's reason
     CannotRead,  ///< args: the system's reason

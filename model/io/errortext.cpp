@@ -14,7 +14,7 @@ QString translate(const char *text)
     return QCoreApplication::translate("ErrorText", text);
 }
 
-/// Phrases that other folders put into errors: those of model/codec, which knows no Qt.
+/// Phrases that other folders put into errors: those of model/codec and model/terrain, which know no Qt.
 [[maybe_unused]] constexpr const char *PhrasesOfOthers[] = {
     QT_TRANSLATE_NOOP("ErrorText", "vertex %1"),
     QT_TRANSLATE_NOOP("ErrorText", "vertex %1 of frame %2"),
@@ -29,6 +29,10 @@ QString translate(const char *text)
     QT_TRANSLATE_NOOP("ErrorText", "chunk tag"),
     QT_TRANSLATE_NOOP("ErrorText", "letters and digits"),
     QT_TRANSLATE_NOOP("ErrorText", "at most the bytes left"),
+    QT_TRANSLATE_NOOP("ErrorText", "point %1"),
+    QT_TRANSLATE_NOOP("ErrorText", "number of points"),
+    QT_TRANSLATE_NOOP("ErrorText", "extent of the terrain"),
+    QT_TRANSLATE_NOOP("ErrorText", "more than nothing in both directions"),
 };
 
 /// What happened, with places for the arguments of the code.
@@ -96,6 +100,11 @@ const char *rowOf(ErrorCode code, bool hasArguments)
                                               "other.");
     case ErrorCode::BadPermutation:
         return QT_TRANSLATE_NOOP("ErrorText", "This is not a permutation of the vertices: %1.");
+    case ErrorCode::BrokenTerrain:
+        return QT_TRANSLATE_NOOP("ErrorText", "The terrain is damaged: %1 (%2).");
+    case ErrorCode::CrossingConstraints:
+        return QT_TRANSLATE_NOOP("ErrorText", "The line from point %1 to point %2 crosses the fixed line from point "
+                                              "%3 to point %4.");
     case ErrorCode::BadSetting:
         return QT_TRANSLATE_NOOP("ErrorText", "%1 cannot be %2. Allowed: %3.");
     case ErrorCode::CannotOpen:

@@ -38,6 +38,7 @@ int argumentCount(ErrorCode code)
     case ErrorCode::CannotWrite:
     case ErrorCode::OutOfMemory:
         return 1;
+    case ErrorCode::BrokenTerrain:
     case ErrorCode::SyntaxError:
     case ErrorCode::IndexOutOfRange:
     case ErrorCode::FacesDiffer:
@@ -51,6 +52,8 @@ int argumentCount(ErrorCode code)
     case ErrorCode::BadSetting:
     case ErrorCode::LimitExceeded:
         return 3;
+    case ErrorCode::CrossingConstraints:
+        return 4;
     }
     return -1;
 }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace model::terrain {
+
+/// A std::vector of plain values that grows by an eighth and through realloc: the C library moves the pages of a large
+/// array instead of its bytes, so that a terrain of millions of vertices grows without a pause, and what is reserved
+/// but not used takes no memory. New values are not initialised.
+template <class T>
+class FlatArray
+{
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    FlatArray() = default;
+    FlatArray(const FlatArray &other)
+    {
+        resize(other.mSize);
+        if (mSize)
+            std::memcpy(static_cast<void *>(mData), other.mData, mSize * sizeof(T));
+    }
+    FlatArray(FlatArray &&other) noexcept { swap(other); }
+    FlatArray &operator=(FlatArray other) noexcept
+    {
+        swap(other);
+        return *this;
+    }
+    ~FlatArray() { std::free(mData); }
+
+    std::size_t size() const { return mSize; }
+    std::size_t capacity() const { return mCapacity; }
+    T *data() { return mData; }
+    const T *data() const { return mData; }
+    T &operator[](std::size_t i) { return mData[i]; }
+    const T &operator[](std::size_t i) const { return mData[i]; }
+    std::span<const T> values() const { return {mData, mSize}; }
+    std::size_t byteSize() const { return mSize * sizeof(T); }
+
+    void resize(std::size_t size)
+    {
+        if (size > mCapacity)
+            reserve(size > mCapacity + mCapacity / 8 + 64 ? size : mCapacity + mCapacity / 8 + 64);
+        mSize = size;
+    }
+    void reserve(std::size_t capacity)
+    {
+        if (capacity <= mCapacity)
+            return;
+        void *grown = std::realloc(static_cast<void *>(mData), capacity * sizeof(T));
+        if (!grown)
+            throw std::bad_alloc();
+        mData = static_cast<T *>(grown);
+        mCapacity = capacity;
+    }
+    void push(const T &value)
+    {
+        const T copy = value;
+        resize(mSize + 1);
+        mData[mSize - 1] = copy;
+    }
+
+private:
+    void swap(FlatArray &other) noexcept
+    {
+        std::swap(mData, other.mData);
+        std::swap(mSize, other.mSize);
+        std::swap(mCapacity, other.mCapacity);
+    }
+
+    T *mData = nullptr;
+    std::size_t mSize = 0;
+    std::size_t mCapacity = 0;
+};
+
+} // namespace model::terrain
