@@ -27,7 +27,6 @@ struct Library
 constexpr Library Libraries[] = {
     {"Qt 6", "LGPL-3.0", "https://www.qt.io"},
     {"Eigen", "MPL-2.0", "https://eigen.tuxfamily.org"},
-    {"Spectra", "MPL-2.0", "https://spectralib.org"},
     {"assimp", "BSD-3-Clause", "https://assimp.org"},
     {"zlib", "Zlib", "https://zlib.net"},
     {"tl::expected", "CC0-1.0", "https://tl.tartanllama.xyz"},

@@ -1,97 +1,205 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Based on:
+// - K. Wu and H. Simon: Thick-Restart Lanczos Method for Large Symmetric Eigenvalue Problems, 2000
+// Differs: every vector is made orthogonal to all before it, twice, and the small matrix is taken from these products,
+// so that nothing depends on its being tridiagonal.
 #include "model/codec/eigenvectors.h"
 
-#include <Eigen/Eigenvalues>
-#include <Spectra/SymEigsSolver.h>
+#include "model/base/parallel.h"
+#include "model/codec/symmetriceigen.h"
 
 #include <algorithm>
-#include <exception>
+#include <cmath>
+#include <limits>
+#include <random>
 
 namespace model::codec {
 
 namespace {
 
-// Below this the full decomposition takes under 50 ms, which is as short as a cancel may take.
-constexpr Eigen::Index SmallMatrix = 400;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-/// Thrown out of Spectra, which knows no other way to stop; caught in this file.
-struct Stopped
-{};
+// Below this the full decomposition takes some 50 ms and is as fast as the iteration.
+constexpr Index SmallMatrix = 400;
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+// Entries of a matrix that one task goes through: some hundred microseconds.
+constexpr Index TaskEntries = 1 << 18;
 
-/// What Spectra multiplies with.
-class Operator
+/// Calls body(begin, end) for ranges of `count` rows or columns with `length` entries each. The ranges, and with them
+/// the rounding, are the same with any number of threads.
+template <class Body>
+void forRanges(Index count, Index length, const Body &body)
+{
+    const Index grain = std::max<Index>(16, TaskEntries / std::max<Index>(length, 1));
+    parallelRanges(std::size_t(count), std::size_t(grain),
+                   [&](std::size_t begin, std::size_t end) { body(Index(begin), Index(end)); });
+}
+
+class Lanczos
 {
 public:
-    using Scalar = double;
-    Operator(const MatrixProduct &apply, Eigen::Index size, const Progress &progress)
+    Lanczos(const MatrixProduct &apply, Index size, Index count, const Progress &progress)
         : mApply(apply)
-        , mSize(size)
         , mProgress(progress)
-    {}
-    Eigen::Index rows() const { return mSize; }
-    Eigen::Index cols() const { return mSize; }
-    void perform_op(const double *in, double *out) const
+        , mSize(size)
+        , mCount(count)
+        , mSteps(std::min(size, 2 * count + 10))
+        , mVectors(size, mSteps + 1)
+        , mSmall(MatrixXd::Zero(mSteps, mSteps))
     {
-        mIn = Eigen::Map<const Eigen::VectorXd>(in, mSize);
-        mApply(mIn, mOut);
-        if (mProgress.isCancelled())
-            throw Stopped();
-        Eigen::Map<Eigen::VectorXd>(out, mSize) = mOut;
+        VectorXd start(size);
+        randomise(start);
+        mVectors.col(0) = start.normalized();
+    }
+
+    /// Those of the first `count` that were found to `tolerance`.
+    Result<MatrixXd> run(Index restarts, double tolerance)
+    {
+        for (Index kept = 0;; --restarts) {
+            for (Index step = kept; step < mSteps; ++step)
+                if (const auto stepped = extend(step); !stepped)
+                    return fail(stepped.error());
+            const Result<SymmetricEigen> ritz = symmetricEigen(mSmall, mSteps, mProgress.part(0, 0));
+            if (!ritz)
+                return fail(ritz.error());
+            const std::vector<Index> found = converged(*ritz, tolerance);
+            const bool last = Index(found.size()) == mCount || restarts <= 0 || mSteps == mSize;
+            kept = last ? mCount : mCount + std::min(Index(found.size()), (mSteps - mCount) / 2);
+            if (const auto combined = combine(ritz->vectors.leftCols(kept)); !combined)
+                return fail(combined.error());
+            if (last)
+                return MatrixXd(mVectors(Eigen::all, found));
+            mVectors.col(kept) = mVectors.col(mSteps);
+            mSmall.setZero();
+            mSmall.diagonal().head(kept) = ritz->values.head(kept);
+        }
     }
 
 private:
-    const MatrixProduct &mApply;
-    Eigen::Index mSize;
-    const Progress &mProgress;
-    mutable Eigen::VectorXd mIn;
-    mutable Eigen::VectorXd mOut;
-};
-
-/// By Lanczos iteration; fewer than `count` if not all were found.
-Result<Eigen::MatrixXd> byIteration(const MatrixProduct &apply, Eigen::Index size, Eigen::Index count,
-                                    Eigen::Index restarts, double tolerance, const Progress &progress)
-{
-    try {
-        Operator product(apply, size, progress);
-        Spectra::SymEigsSolver<Operator> solver(product, count, std::min(size, 2 * count + 10));
-        solver.init();
-        solver.compute(Spectra::SortRule::LargestAlge, restarts, tolerance);
-        return solver.eigenvectors();
-    } catch (const Stopped &) {
-        return fail(ErrorCode::Cancelled);
-    } catch (const std::exception &) {
-        return Eigen::MatrixXd(size, 0); // the iteration broke down
+    void randomise(VectorXd &vector)
+    {
+        for (double &entry : vector)
+            entry = double(mRandom()) / double(std::mt19937::max()) - 0.5;
     }
-}
 
-Eigen::MatrixXd byFullDecomposition(const Eigen::MatrixXd &matrix, Eigen::Index count)
-{
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-    return solver.eigenvectors().rightCols(count).rowwise().reverse();
-}
+    /// Takes the share of the first `count` vectors out of `vector`. \returns  the products with them
+    VectorXd orthogonalise(VectorXd &vector, Index count) const
+    {
+        VectorXd all = VectorXd::Zero(count);
+        for (int pass = 0; pass < 2; ++pass) { // twice is enough (Kahan)
+            VectorXd products(count);
+            forRanges(count, mSize, [&](Index begin, Index end) {
+                if (!mProgress.isCancelled())
+                    products.segment(begin, end - begin).noalias() =
+                        mVectors.middleCols(begin, end - begin).transpose() * vector;
+            });
+            forRanges(mSize, count, [&](Index begin, Index end) {
+                if (!mProgress.isCancelled())
+                    vector.segment(begin, end - begin).noalias() -=
+                        mVectors.block(begin, 0, end - begin, count) * products;
+            });
+            all += products;
+        }
+        return all;
+    }
+
+    /// From vector `step` to the next one; a column of the small matrix on the way.
+    Result<void> extend(Index step)
+    {
+        VectorXd next;
+        mApply(mVectors.col(step), next);
+        if (mProgress.isCancelled())
+            return fail(ErrorCode::Cancelled);
+        const double length = next.norm();
+        const VectorXd products = orthogonalise(next, step + 1);
+        mSmall.col(step).head(step + 1) = products;
+        mSmall.row(step).head(step + 1) = products.transpose();
+        mLeft = next.norm();
+        if (mLeft <= 4 * Epsilon * length && step + 1 < mSize) {
+            // Nothing leads out of the space: go on somewhere else.
+            randomise(next);
+            orthogonalise(next, step + 1);
+            orthogonalise(next, step + 1);
+            mLeft = 0;
+            next.normalize();
+        } else if (mLeft > 0) {
+            next /= mLeft;
+        }
+        mVectors.col(step + 1) = next;
+        if (mProgress.isCancelled())
+            return fail(ErrorCode::Cancelled);
+        return {};
+    }
+
+    /// Which of the first `count` are exact: A u differs from theta u by what the last vector leaves.
+    std::vector<Index> converged(const SymmetricEigen &ritz, double tolerance) const
+    {
+        std::vector<Index> result;
+        for (Index k = 0; k < mCount; ++k) {
+            const double residual = mLeft * std::fabs(ritz.vectors(mSteps - 1, k));
+            const double rounding = Epsilon * std::fabs(ritz.values[0]);
+            if (mSteps == mSize || residual <= std::max(tolerance * std::fabs(ritz.values[k]), rounding))
+                result.push_back(k);
+        }
+        return result;
+    }
+
+    /// The first vectors become combinations of all.
+    Result<void> combine(const MatrixXd &weights)
+    {
+        forRanges(mSize, 16 * mSteps, [&](Index begin, Index end) {
+            if (mProgress.isCancelled())
+                return;
+            const MatrixXd rows = mVectors.block(begin, 0, end - begin, mSteps) * weights;
+            mVectors.block(begin, 0, end - begin, weights.cols()) = rows;
+        });
+        if (mProgress.isCancelled())
+            return fail(ErrorCode::Cancelled);
+        return {};
+    }
+
+    const MatrixProduct &mApply;
+    const Progress &mProgress;
+    const Index mSize;
+    const Index mCount;
+    const Index mSteps;
+    MatrixXd mVectors; ///< #size x (steps + 1), orthonormal
+    MatrixXd mSmall;   ///< what the matrix is on them
+    double mLeft = 0;  ///< length of what leads out of them
+    std::mt19937 mRandom;
+};
 
 } // namespace
 
-Result<Eigen::MatrixXd> strongestEigenvectors(const Eigen::MatrixXd &matrix, std::size_t wanted,
-                                              const Progress &progress)
+Result<MatrixXd> strongestEigenvectors(const MatrixXd &matrix, std::size_t wanted, const Progress &progress)
 {
-    const Eigen::Index size = matrix.rows();
-    const Eigen::Index count = std::min(Eigen::Index(wanted), size);
+    const Index size = matrix.rows();
+    const Index count = std::min(Index(wanted), size);
     if (matrix.trace() <= 0)
-        return Eigen::MatrixXd(size, 0);
-    if (size <= SmallMatrix || count > size / 4)
-        return byFullDecomposition(matrix, count);
-    const MatrixProduct apply = [&](const Eigen::VectorXd &in, Eigen::VectorXd &out) { out.noalias() = matrix * in; };
-    Result<Eigen::MatrixXd> found = byIteration(apply, size, count, 300, 1e-9, progress);
-    if (found && found->cols() < count)
-        return byFullDecomposition(matrix, count);
-    return found;
+        return MatrixXd(size, 0);
+    if (size > SmallMatrix && count <= size / 4) {
+        const MatrixProduct apply = [&](const VectorXd &in, VectorXd &out) {
+            out.resize(size);
+            forRanges(size, size, [&](Index begin, Index end) {
+                out.segment(begin, end - begin).noalias() = matrix.middleCols(begin, end - begin).transpose() * in;
+            });
+        };
+        Result<MatrixXd> found = Lanczos(apply, size, count, progress).run(300, 1e-9);
+        if (!found || found->cols() == count)
+            return found;
+    }
+    Result<SymmetricEigen> all = symmetricEigen(matrix, count, progress);
+    if (!all)
+        return fail(all.error());
+    return std::move(all->vectors);
 }
 
-Result<Eigen::MatrixXd> strongestEigenvectors(const MatrixProduct &apply, std::size_t size, std::size_t count,
-                                              const Progress &progress)
+Result<MatrixXd> strongestEigenvectors(const MatrixProduct &apply, std::size_t size, std::size_t count,
+                                       const Progress &progress)
 {
-    return byIteration(apply, Eigen::Index(size), Eigen::Index(count), 30, 1e-7, progress);
+    return Lanczos(apply, Index(size), Index(count), progress).run(30, 1e-7);
 }
 
 } // namespace model::codec

@@ -85,5 +85,25 @@ void reconstructBody(const float *tiles, std::size_t rank, const float *basis, c
     }
 }
 
+typedef double PackedDouble __attribute__((vector_size(Lanes * sizeof(float))));
+constexpr std::size_t PackedPerColumn = PanelRows * sizeof(double) / sizeof(PackedDouble);
+
+void rotateColumnsBody(double *columns, const PlaneRotation *rotations, std::size_t count)
+{
+    PackedDouble carried[PackedPerColumn]; // a column stays in registers between its two rotations
+    std::memcpy(carried, columns, sizeof carried);
+    for (std::size_t k = 0; k < count; ++k, columns += PanelRows) {
+        const double c = rotations[k].cosine, s = rotations[k].sine;
+        for (std::size_t i = 0; i < PackedPerColumn; ++i) {
+            PackedDouble next;
+            std::memcpy(&next, columns + PanelRows + i * Lanes / 2, sizeof next);
+            const PackedDouble done = c * carried[i] - s * next;
+            carried[i] = s * carried[i] + c * next;
+            std::memcpy(columns + i * Lanes / 2, &done, sizeof done);
+        }
+    }
+    std::memcpy(columns, carried, sizeof carried);
+}
+
 } // namespace
 } // namespace model::codec

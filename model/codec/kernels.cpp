@@ -10,7 +10,7 @@ namespace model::codec {
 
 const Kernels &portableKernels()
 {
-    static constexpr Kernels portable{"portable", gramTileBody, multiplyBody, reconstructBody};
+    static constexpr Kernels portable{"portable", gramTileBody, multiplyBody, reconstructBody, rotateColumnsBody};
     return portable;
 }
 

@@ -9,6 +9,16 @@ namespace model::codec {
 /// Vertices of a tile: the coefficients lie as [tile][k][vertex in tile], so that one pass reads them in order.
 inline constexpr std::size_t TileVertices = 16;
 
+/// Rows of a panel that plane rotations are applied to.
+inline constexpr std::size_t PanelRows = 16;
+
+/// (a, b) becomes (cosine a - sine b, sine a + cosine b).
+struct PlaneRotation
+{
+    double cosine;
+    double sine;
+};
+
 /// The inner loops, compiled once for any processor and once for those with AVX2 and FMA. Results of the two differ by
 /// float rounding.
 struct Kernels
@@ -35,6 +45,10 @@ struct Kernels
     /// \param out    vertexCount x 3
     void (*reconstruct)(const float *tiles, std::size_t rank, const float *basis, const float *mean,
                         std::size_t vertexCount, float *out);
+
+    /// Rotates columns 0 and 1, then 1 and 2, and so on.
+    /// \param columns  PanelRows x (count + 1), one column after another
+    void (*rotateColumns)(double *columns, const PlaneRotation *rotations, std::size_t count);
 };
 
 inline constexpr std::size_t MaxGramTile = 128;

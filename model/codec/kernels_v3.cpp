@@ -8,6 +8,6 @@ extern "C" const model::codec::Kernels *sandreelKernelsV3();
 extern "C" const model::codec::Kernels *sandreelKernelsV3()
 {
     using namespace model::codec;
-    static constexpr Kernels v3{"x86-64-v3", gramTileBody, multiplyBody, reconstructBody};
+    static constexpr Kernels v3{"x86-64-v3", gramTileBody, multiplyBody, reconstructBody, rotateColumnsBody};
     return &v3;
 }

@@ -97,7 +97,6 @@ private slots:
     {
         const QList<std::pair<QString, QString>> adapters{{"assimp/", "model/io/"},
                                                           {"Eigen/", "model/codec/"},
-                                                          {"Spectra/", "model/codec/"},
                                                           {"CLI/", "app/"},
                                                           {"CGAL/", "model/terrain/exactpredicates.cpp"}};
         QStringList broken;
