@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/model/io/iotest.h"
 
+#include "model/base/parallel.h"
+
 #include <cmath>
 
 #include <QDir>
@@ -31,6 +33,17 @@ void WavyFrames::positions(std::uint32_t frame, std::span<model::Vec3f> out) con
         const float angle = float(i) * 0.37f + float(frame) * 0.11f;
         out[i] = {std::sin(angle), std::cos(angle * 1.7f) * 1e-3f, float(i) - angle * 10};
     }
+}
+
+void FolderTest::makeFolder()
+{
+    mFolder = std::make_unique<QTemporaryDir>();
+    QVERIFY(mFolder->isValid());
+}
+
+void FolderTest::cleanup()
+{
+    model::setThreadCount(0);
 }
 
 QByteArray contents(const QString &path)

@@ -9,7 +9,10 @@
 
 #include <QString>
 #include <QStringList>
+#include <QTemporaryDir>
 #include <QTest>
+
+#include <memory>
 
 namespace tests {
 
@@ -35,6 +38,25 @@ private:
     model::Connectivity mConnectivity;
     std::uint32_t mFrameCount;
     std::string mName = "wavy";
+};
+
+/// A class whose tests each begin with an empty folder of their own, and with the processor's number of threads.
+class FolderTest : public QObject
+{
+    Q_OBJECT
+
+protected:
+    const QTemporaryDir &folder() const { return *mFolder; }
+    QString path(const QString &name) const { return mFolder->filePath(name); }
+    /// For a class with an init() of its own.
+    void makeFolder();
+
+private slots:
+    void init() { makeFolder(); }
+    void cleanup();
+
+private:
+    std::unique_ptr<QTemporaryDir> mFolder;
 };
 
 /// The contents of a file; fails the test if there is none.

@@ -12,25 +12,17 @@
 #include <random>
 
 #include <QDir>
-#include <QTemporaryDir>
 
 using namespace model;
 using namespace model::io;
 using tests::put;
 using tests::WavyFrames;
 
-class TestAnimationReader final : public QObject
+class TestAnimationReader final : public tests::FolderTest
 {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        mFolder = std::make_unique<QTemporaryDir>();
-        QVERIFY(mFolder->isValid());
-    }
-    void cleanup() { setThreadCount(0); }
-
     void naturalOrder()
     {
         const QStringList ordered{"1.obj",       "2.obj",        "10.obj",
@@ -188,11 +180,6 @@ private slots:
         for (const char *const ending : {"obj", "off", "ply", "stl", "pc2", "mdd", "gltf", "glb", "fbx", "anim"})
             QVERIFY2(endings.contains(ending), ending);
     }
-
-private:
-    QString path(const QString &name) const { return mFolder->filePath(name); }
-
-    std::unique_ptr<QTemporaryDir> mFolder;
 };
 
 SANDREEL_TEST(TestAnimationReader)

@@ -12,7 +12,6 @@
 
 #include <QDir>
 #include <QDirIterator>
-#include <QTemporaryDir>
 
 using namespace model;
 using namespace model::io;
@@ -34,18 +33,11 @@ void formatRows()
 
 } // namespace
 
-class TestAnimationWriter final : public QObject
+class TestAnimationWriter final : public tests::FolderTest
 {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        mFolder = std::make_unique<QTemporaryDir>();
-        QVERIFY(mFolder->isValid());
-    }
-    void cleanup() { setThreadCount(0); }
-
     void objIsWhatItSays()
     {
         const Connectivity connectivity{3, {{0, 1, 2}, {2, 1, 0}}};
@@ -210,24 +202,21 @@ private slots:
         };
         SANDREEL_COMPARE_ERROR(writePc2(path("a.pc2"), frames, progress), ErrorCode::Cancelled);
         QCOMPARE(contents(path("a.pc2")), QByteArray("old"));
-        QCOMPARE(QDir(mFolder->path()).entryList(QDir::Files), QStringList("a.pc2"));
+        QCOMPARE(QDir(folder().path()).entryList(QDir::Files), QStringList("a.pc2"));
     }
 
 private:
-    QString path(const QString &name) const { return mFolder->filePath(name); }
     /// Every file and folder that there is.
     QStringList everything() const
     {
         QStringList result;
-        QDirIterator entries(mFolder->path(), QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot,
+        QDirIterator entries(folder().path(), QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot,
                              QDirIterator::Subdirectories);
         while (entries.hasNext())
             result << entries.next();
         result.sort();
         return result;
     }
-
-    std::unique_ptr<QTemporaryDir> mFolder;
 };
 
 SANDREEL_TEST(TestAnimationWriter)

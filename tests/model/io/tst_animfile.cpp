@@ -11,23 +11,16 @@
 #include <unistd.h>
 
 #include <QDir>
-#include <QTemporaryDir>
 
 using namespace model;
 using namespace model::io;
 using tests::WavyFrames;
 
-class TestAnimFile final : public QObject
+class TestAnimFile final : public tests::FolderTest
 {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        mFolder = std::make_unique<QTemporaryDir>();
-        QVERIFY(mFolder->isValid());
-    }
-
     void bytesComeBack()
     {
         for (const std::size_t size : {std::size_t(0), std::size_t(1), std::size_t(100'000)}) {
@@ -39,13 +32,13 @@ private slots:
             QVERIFY(read.has_value());
             QVERIFY(*read == bytes);
         }
-        QCOMPARE(QDir(mFolder->path()).entryList(QDir::Files), QStringList("a"));
+        QCOMPARE(QDir(folder().path()).entryList(QDir::Files), QStringList("a"));
     }
 
     void whatIsNoOrdinaryFileIsRefused()
     {
         SANDREEL_COMPARE_ERROR(readBytes(path("none")), ErrorCode::NotFound);
-        QVERIFY(QDir(mFolder->path()).mkdir("folder"));
+        QVERIFY(QDir(folder().path()).mkdir("folder"));
         const auto folder = readBytes(path("folder"));
         SANDREEL_COMPARE_ERROR(folder, ErrorCode::CannotOpen);
         QCOMPARE(tests::argsOf(folder.error()), QStringList("it is a folder"));
@@ -172,10 +165,6 @@ private:
             qFatal("cannot make an animation");
         return *openAnim(path("wavy.anim"));
     }
-
-    QString path(const QString &name) const { return mFolder->filePath(name); }
-
-    std::unique_ptr<QTemporaryDir> mFolder;
 };
 
 SANDREEL_TEST(TestAnimFile)

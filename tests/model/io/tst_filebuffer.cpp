@@ -10,24 +10,16 @@
 
 #include <cstring>
 
-#include <QTemporaryDir>
-
 using namespace model;
 using namespace model::io;
 using tests::WavyFrames;
 
 /// Files that cannot be read to their end, and memory that is not there for them.
-class TestFileBuffer final : public QObject
+class TestFileBuffer final : public tests::FolderTest
 {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        mFolder = std::make_unique<QTemporaryDir>();
-        QVERIFY(mFolder->isValid());
-    }
-
     void filesComeOneAfterAnother()
     {
         tests::put(path("long"), QByteArray(1000, 'a'));
@@ -139,11 +131,6 @@ private slots:
         }
         QVERIFY(failures > 3);
     }
-
-private:
-    QString path(const QString &name) const { return mFolder->filePath(name); }
-
-    std::unique_ptr<QTemporaryDir> mFolder;
 };
 
 SANDREEL_TEST(TestFileBuffer)

@@ -7,7 +7,6 @@
 #include "tests/support/testmain.h"
 
 #include <QDir>
-#include <QTemporaryDir>
 
 using namespace model;
 using namespace model::io;
@@ -43,15 +42,14 @@ QByteArray mdd(const FrameSource &source, double rate)
 
 } // namespace
 
-class TestPointCache final : public QObject
+class TestPointCache final : public tests::FolderTest
 {
     Q_OBJECT
 
 private slots:
     void init()
     {
-        mFolder = std::make_unique<QTemporaryDir>();
-        QVERIFY(mFolder->isValid());
+        makeFolder();
         QVERIFY(writeMesh(path("walk.obj"), mFrames.frame(0), mFrames.connectivity(), MeshFormat::Obj).has_value());
         QVERIFY(writePc2(path("walk.pc2"), mFrames).has_value());
         put(path("walk.mdd"), mdd(mFrames, 24));
@@ -196,9 +194,6 @@ private slots:
     }
 
 private:
-    QString path(const QString &name) const { return mFolder->filePath(name); }
-
-    std::unique_ptr<QTemporaryDir> mFolder;
     const WavyFrames mFrames{20, 7};
 };
 

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 
-#include <QTemporaryDir>
 #include <QTextStream>
 
 using namespace model;
@@ -86,18 +85,11 @@ float oneSidedDistance(const std::vector<Vec3f> &a, const std::vector<Vec3f> &b)
 
 } // namespace
 
-class TestSceneReader final : public QObject
+class TestSceneReader final : public tests::FolderTest
 {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        mFolder = std::make_unique<QTemporaryDir>();
-        QVERIFY(mFolder->isValid());
-    }
-    void cleanup() { setThreadCount(0); }
-
     void nodesMoveTheirMeshes()
     {
         tests::put(path("a.gltf"), gltf({}));
@@ -145,7 +137,7 @@ private slots:
     {
         tests::put(path("in/a.gltf"), gltf(path("in/data.bin")).replace(path("in/").toUtf8(), ""));
         QVERIFY(readAnimation(path("in/a.gltf")).has_value());
-        tests::put(path("in/b.gltf"), gltf(path("out.bin")).replace(mFolder->path().toUtf8(), ".."));
+        tests::put(path("in/b.gltf"), gltf(path("out.bin")).replace(folder().path().toUtf8(), ".."));
         SANDREEL_COMPARE_ERROR(readAnimation(path("in/b.gltf")), ErrorCode::ImporterFailed);
         tests::put(path("in/c.gltf"), gltf(path("out.bin")));
         SANDREEL_COMPARE_ERROR(readAnimation(path("in/c.gltf")), ErrorCode::ImporterFailed);
@@ -273,11 +265,6 @@ private slots:
         setThreadCount(5);
         QCOMPARE((*readAnimation(file, {{}, 0, animation}))->digest(), (*read)->digest());
     }
-
-private:
-    QString path(const QString &name) const { return mFolder->filePath(name); }
-
-    std::unique_ptr<QTemporaryDir> mFolder;
 };
 
 SANDREEL_TEST(TestSceneReader)
