@@ -129,6 +129,21 @@ void Console::json(const QJsonObject &object)
     std::fputs(QJsonDocument(object).toJson(QJsonDocument::Indented).constData(), stdout);
 }
 
+void Console::data(const QJsonObject &object, const QStringList &lines)
+{
+    if (mJson)
+        return json(object);
+    for (const QString &text : lines)
+        line(text);
+}
+
+void Console::outcome(const QJsonObject &object, const QString &text)
+{
+    if (mJson)
+        return json(object);
+    note(text);
+}
+
 bool Console::flush()
 {
     return std::fflush(stdout) == 0 && !std::ferror(stdout);

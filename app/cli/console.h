@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QJsonObject>
 #include <QString>
+#include <QStringList>
 
 #include <string>
 
@@ -42,6 +43,10 @@ public:
     /// A line of data on standard output.
     void line(const QString &text);
     void json(const QJsonObject &object);
+    /// Data: the object with --json, else the lines.
+    void data(const QJsonObject &object, const QStringList &lines);
+    /// What was written where: the object as data with --json, else a note.
+    void outcome(const QJsonObject &object, const QString &text);
 
     /// Writes out what is buffered. \returns false if standard output could not take it all (a full disk, a closed
     /// pipe)

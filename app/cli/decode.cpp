@@ -127,10 +127,7 @@ model::Result<void> Decode::run(Console &console) const
                     .arg(prefix->animation->basisSize())
                     .arg(prefix->bandsInFile);
     }
-    if (console.isJson())
-        console.json(json);
-    else
-        console.note(text);
+    console.outcome(json, text);
     return {};
 }
 

@@ -116,7 +116,7 @@ model::Result<void> Encode::run(Console &console) const
         text << QStringLiteral("Settings: %1").arg(fromUtf8(model::settingsText(*settings)));
 
     if (measure) {
-        const auto decoded = model::codec::decodeAnimation(encoded->bytes);
+        const auto decoded = model::codec::decodeAnimation(encoded->bytes, console.progress("Decoding"));
         if (!decoded)
             return model::fail(decoded.error());
         const auto lost =
@@ -142,11 +142,7 @@ model::Result<void> Encode::run(Console &console) const
     if (auto saved = model::io::saveBytes(fromUtf8(output), encoded->bytes); !saved)
         return saved;
     partial.keep();
-    if (console.isJson())
-        console.json(json);
-    else
-        for (const QString &line : text)
-            console.line(line);
+    console.data(json, text);
     return {};
 }
 

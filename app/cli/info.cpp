@@ -136,11 +136,7 @@ model::Result<void> Info::run(Console &console) const
         if (const auto added = addEncoding(*anim, json, text); !added)
             return added;
 
-    if (console.isJson())
-        console.json(json);
-    else
-        for (const QString &line : text)
-            console.line(line);
+    console.data(json, text);
     return {};
 }
 
