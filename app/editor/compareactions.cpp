@@ -7,7 +7,7 @@
 #include "model/io/errortext.h"
 #include "views/dialogs/comparedialog.h"
 #include "views/itemmodels/logmodel.h"
-#include "views/viewport/animationviewport.h"
+#include "views/viewport/errorcoloring.h"
 
 #include <QFileInfo>
 
@@ -52,16 +52,16 @@ void CompareActions::update()
 {
     const views::Comparison *compared = comparison();
     const DocumentTab *tab = mWorkspace.current();
-    views::AnimationViewport *viewport = tab ? tab->viewport() : nullptr;
+    views::ErrorColoring *coloring = tab ? tab->errorColoring() : nullptr;
     const bool hasErrors = compared && compared->result();
     mActions[ActionId::Compare].setEnabled(compared != nullptr);
     mActions[ActionId::StopComparing].setEnabled(compared && compared->isActive());
-    mActions[ActionId::ErrorColors].setEnabled(hasErrors && viewport);
-    mActions[ActionId::ErrorRange].setEnabled(hasErrors && viewport && mActions[ActionId::ErrorColors].isChecked());
-    if (!viewport)
+    mActions[ActionId::ErrorColors].setEnabled(hasErrors && coloring);
+    mActions[ActionId::ErrorRange].setEnabled(hasErrors && coloring && mActions[ActionId::ErrorColors].isChecked());
+    if (!coloring)
         return;
-    viewport->setErrorColored(mActions[ActionId::ErrorColors].isChecked());
-    viewport->setErrorRangeOfFrame(mActions[ActionId::ErrorRange].isChecked());
+    coloring->setErrorColored(mActions[ActionId::ErrorColors].isChecked());
+    coloring->setErrorRangeOfFrame(mActions[ActionId::ErrorRange].isChecked());
 }
 
 void CompareActions::ask()

@@ -70,10 +70,13 @@ void DocumentTab::showDocument()
         QWidget *page = nullptr;
         if (mCanDraw) {
             page = mViewport = new views::AnimationViewport(mDocument.player(), this);
-            mViewport->setComparison(&mDocument.comparison());
+            mErrorColoring = mViewport;
         } else {
-            page = new views::NoGlView(mDocument.player(), this);
+            auto *view = new views::NoGlView(mDocument.player(), this);
+            page = view;
+            mErrorColoring = view;
         }
+        mErrorColoring->setComparison(&mDocument.comparison());
         mPages->addWidget(page);
         retranslate();
     }

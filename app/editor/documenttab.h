@@ -12,7 +12,8 @@ class QStackedLayout;
 
 namespace views {
 class AnimationViewport;
-}
+class ErrorColoring;
+} // namespace views
 
 namespace editor {
 
@@ -29,6 +30,8 @@ public:
     const Document &document() const { return mDocument; }
     /// Null while it is being opened, and without OpenGL.
     views::AnimationViewport *viewport() const { return mViewport; }
+    /// What the picture is coloured by, with OpenGL or without; null while it is being opened.
+    views::ErrorColoring *errorColoring() const { return mErrorColoring; }
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -45,6 +48,7 @@ private:
     QProgressBar *mOpeningBar = nullptr;
     QPushButton *mCancel = nullptr;
     views::AnimationViewport *mViewport = nullptr;
+    views::ErrorColoring *mErrorColoring = nullptr;
 };
 
 } // namespace editor

@@ -28,6 +28,7 @@ struct ClipVertex
 {
     double x, y, z, w;
     Vec3f normal; ///< in camera space
+    float place;  ///< on the palette
 };
 
 /// A triangle on the screen, in samples, x to the right, y down.
@@ -37,8 +38,9 @@ struct ScreenTriangle
     double sign;  ///< makes its edge functions positive inside
     double depth; ///< at the origin of the screen, and how it grows
     double depthDx, depthDy;
-    Vec3f normal[3];     ///< over w, so that their linear blend is perspective-correct but for its length
-    float edgeLength[3]; ///< of the edge opposite to each vertex; 0: not an edge of the mesh, drawn without wire
+    Vec3f normal[3];           ///< over w, so that their linear blend is perspective-correct but for its length
+    float place[3], weight[3]; ///< on the palette, over w; 1 over w
+    float edgeLength[3];       ///< of the edge opposite to each vertex; 0: not an edge of the mesh, drawn without wire
     bool front;
 };
 
@@ -48,12 +50,12 @@ double edge(const ScreenTriangle &t, int a, int b, double px, double py)
     return t.sign * ((t.x[b] - t.x[a]) * (py - t.y[a]) - (t.y[b] - t.y[a]) * (px - t.x[a]));
 }
 
-ClipVertex transformed(const Matrix4 &m, Vec3f p, Vec3f normal)
+ClipVertex transformed(const Matrix4 &m, Vec3f p, Vec3f normal, float place)
 {
     const auto row = [&](int i) {
         return double(m[i]) * p.x + double(m[4 + i]) * p.y + double(m[8 + i]) * p.z + m[12 + i];
     };
-    return {row(0), row(1), row(2), row(3), normal};
+    return {row(0), row(1), row(2), row(3), normal, place};
 }
 
 Vec3f rotated(const Matrix4 &m, Vec3f v)
@@ -65,7 +67,12 @@ Vec3f rotated(const Matrix4 &m, Vec3f v)
 ClipVertex blend(const ClipVertex &a, const ClipVertex &b, double t)
 {
     const auto mix = [t](double u, double v) { return u + (v - u) * t; };
-    return {mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z), mix(a.w, b.w), a.normal + (b.normal - a.normal) * float(t)};
+    return {mix(a.x, b.x),
+            mix(a.y, b.y),
+            mix(a.z, b.z),
+            mix(a.w, b.w),
+            a.normal + (b.normal - a.normal) * float(t),
+            float(mix(a.place, b.place))};
 }
 
 /// Collects the triangles that a picture shows, clipped at the near plane.
@@ -118,6 +125,8 @@ private:
             t.y[i] = std::round((0.5 - v.y / v.w * 0.5) * mHeight * SnapSteps) / SnapSteps;
             depth[i] = v.z / v.w;
             t.normal[i] = v.normal * float(1 / v.w);
+            t.place[i] = v.place * float(1 / v.w);
+            t.weight[i] = float(1 / v.w);
         }
         t.sign = 1;
         const double area = edge(t, 0, 1, t.x[2], t.y[2]);
@@ -217,6 +226,9 @@ public:
     /// Colours of the pixels, written to `rgba`, which begins at the band's first pixel.
     void resolve(const RasterStyle &style, int pictureHeight, std::uint8_t *rgba) const
     {
+        std::vector<Vec3f> palette;
+        for (const auto &colour : style.palette)
+            palette.push_back(linear(colour));
         const Vec3f surface = linear(style.surface);
         for (int y = 0; y < mRowCount; y += SamplesPerAxis) {
             const Vec3f background = backgroundOf(style, (mFirstRow + y) / SamplesPerAxis, pictureHeight);
@@ -225,8 +237,9 @@ public:
                 for (int sy = y; sy < y + SamplesPerAxis; ++sy)
                     for (int sx = x; sx < x + SamplesPerAxis; ++sx) {
                         const std::uint32_t index = mNearest[std::size_t(sy) * mWidth + sx];
-                        sum = sum +
-                              (index == NoTriangle ? background : colourOf(mTriangles[index], surface, style, sx, sy));
+                        sum =
+                            sum + (index == NoTriangle ? background
+                                                       : colourOf(mTriangles[index], surface, palette, style, sx, sy));
                     }
                 const Vec3f mean = sum * (1.0f / (SamplesPerAxis * SamplesPerAxis));
                 *rgba++ = displayed(mean.x);
@@ -248,13 +261,29 @@ private:
         return {mix(0), mix(1), mix(2)};
     }
 
-    Vec3f colourOf(const ScreenTriangle &t, Vec3f surface, const RasterStyle &style, int sx, int sy) const
+    /// \param place  0..1; what lies outside, or is no number, has the colour of the nearer end
+    static Vec3f onPalette(const std::vector<Vec3f> &palette, float place)
+    {
+        const float steps = float(palette.size() - 1);
+        const float scaled = place > 0 ? std::min(place, 1.0f) * steps : 0.0f;
+        const std::size_t below = std::min(std::size_t(scaled), palette.size() - 2);
+        const float t = scaled - float(below);
+        return palette[below] * (1 - t) + palette[below + 1] * t;
+    }
+
+    Vec3f colourOf(const ScreenTriangle &t, Vec3f surface, const std::vector<Vec3f> &palette, const RasterStyle &style,
+                   int sx, int sy) const
     {
         const double px = sx + 0.5;
         const double py = sy + mFirstRow + 0.5;
         const float weight[3] = {float(edge(t, 1, 2, px, py)), float(edge(t, 2, 0, px, py)),
                                  float(edge(t, 0, 1, px, py))};
         const Vec3f normal = normalized(t.normal[0] * weight[0] + t.normal[1] * weight[1] + t.normal[2] * weight[2]);
+        if (!style.places.empty()) {
+            const float total = t.weight[0] * weight[0] + t.weight[1] * weight[1] + t.weight[2] * weight[2];
+            const float place = t.place[0] * weight[0] + t.place[1] * weight[1] + t.place[2] * weight[2];
+            surface = onPalette(palette, place / total);
+        }
         const Vec3f colour = shade(surface, t.front ? normal : normal * -1);
         if (!style.wireframe)
             return colour;
@@ -301,7 +330,7 @@ std::vector<Triangle> finiteTriangles(std::span<const Vec3f> positions, std::spa
 }
 
 Scene sceneOf(std::span<const Vec3f> positions, std::span<const Triangle> triangles, const OrbitCamera &camera,
-              int width, int height)
+              int width, int height, std::span<const float> places)
 {
     const std::vector<Triangle> drawn = finiteTriangles(positions, triangles);
     Scene scene(width, height, drawn.size());
@@ -317,7 +346,7 @@ Scene sceneOf(std::span<const Vec3f> positions, std::span<const Triangle> triang
     const Matrix4 clip = multiply(camera.projectionMatrix(float(width) / float(height), box), view);
     std::vector<ClipVertex> vertices(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
-        vertices[i] = transformed(clip, positions[i], rotated(view, normals[i]));
+        vertices[i] = transformed(clip, positions[i], rotated(view, normals[i]), places.empty() ? 0 : places[i]);
     for (const Triangle &t : drawn)
         scene.add(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
     return scene;
@@ -326,14 +355,17 @@ Scene sceneOf(std::span<const Vec3f> positions, std::span<const Triangle> triang
 } // namespace
 
 Picture drawMesh(std::span<const Vec3f> positions, std::span<const Triangle> triangles, const OrbitCamera &camera,
-                 int width, int height, const RasterStyle &style)
+                 int width, int height, const RasterStyle &style, const Progress &progress)
 {
     assert(width >= 1 && width <= 16384 && height >= 1 && height <= 16384);
-    const Scene scene = sceneOf(positions, triangles, camera, width, height);
+    assert(style.places.empty() || (style.places.size() == positions.size() && style.palette.size() >= 2));
+    const Scene scene = sceneOf(positions, triangles, camera, width, height, style.places);
     const int bandCount = (height + BandHeight - 1) / BandHeight;
     const auto bins = trianglesOfBands(scene.triangles(), bandCount);
     Picture picture{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4)};
     parallelFor(std::size_t(bandCount), [&](std::size_t index) {
+        if (progress.isCancelled())
+            return;
         const int firstRow = int(index) * BandHeight;
         Band band(scene.triangles(), width, firstRow, std::min(BandHeight, height - firstRow));
         for (const std::uint32_t triangle : bins[index])

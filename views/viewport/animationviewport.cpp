@@ -91,36 +91,6 @@ void AnimationViewport::setGridVisible(bool visible)
     update();
 }
 
-void AnimationViewport::setComparison(const Comparison *comparison)
-{
-    if (mComparison)
-        mComparison->disconnect(this);
-    mComparison = comparison;
-    if (mComparison)
-        connect(mComparison, &Comparison::changed, this, [this] { update(); });
-    update();
-}
-
-void AnimationViewport::setErrorColored(bool colored)
-{
-    mErrorColored = colored;
-    update();
-}
-
-void AnimationViewport::setErrorRangeOfFrame(bool ofFrame)
-{
-    mErrorRangeOfFrame = ofFrame;
-    update();
-}
-
-float AnimationViewport::errorRange() const
-{
-    if (!mErrorColored || !mComparison || !mComparison->result() || !mUploaded || mUploaded->errors.empty())
-        return 0;
-    const float range = mErrorRangeOfFrame ? mUploaded->largestError : float(mComparison->result()->maxVertexError);
-    return std::max(range, std::numeric_limits<float>::min()); // without errors everything has the first colour
-}
-
 void AnimationViewport::setCamera(const model::OrbitCamera &camera)
 {
     mCamera = camera;
@@ -287,9 +257,7 @@ void AnimationViewport::drawOverlay()
         drawAxes(painter, rect(), mCamera, mStyle.isDark);
         if (mStatisticsVisible)
             drawStatistics(painter, mStatistics, mStyle.isDark);
-        if (mStyle.errorRange > 0)
-            drawErrorLegend(painter, rect(), {mStyle.errorRange, mComparison->result()->diagonal, mErrorRangeOfFrame},
-                            mStyle.isDark);
+        drawErrorScale(painter, rect(), mStyle.isDark);
     }
     if (mShowsFocus) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));

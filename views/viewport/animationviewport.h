@@ -3,15 +3,14 @@
 
 #include "model/base/progress.h"
 #include "model/mesh/camera.h"
-#include "views/scene/comparison.h"
 #include "views/scene/player.h"
+#include "views/viewport/errorcoloring.h"
 #include "views/viewport/overlay.h"
 #include "views/viewport/scenerenderer.h"
 
 #include <QFutureWatcher>
 #include <QImage>
 #include <QOpenGLWidget>
-#include <QPointer>
 
 #include <deque>
 #include <optional>
@@ -24,7 +23,7 @@ namespace views {
 ///
 /// At first the camera holds the whole animation; it stays where the user puts it when the animation is edited, unless
 /// that would leave the picture empty. Precondition: glSupport().isSufficient.
-class AnimationViewport final : public QOpenGLWidget
+class AnimationViewport final : public QOpenGLWidget, public ErrorColoring
 {
     Q_OBJECT
 
@@ -41,17 +40,6 @@ public:
     bool isStatisticsVisible() const { return mStatisticsVisible; }
     void setGridVisible(bool visible);
     bool isGridVisible() const { return mStyle.hasGrid; }
-
-    /// Where the errors come from; null: nothing to colour by.
-    void setComparison(const Comparison *comparison);
-    /// Colours the mesh by the error of each vertex, as long as there is a comparison.
-    void setErrorColored(bool colored);
-    bool isErrorColored() const { return mErrorColored; }
-    /// The colours reach to the largest error of the frame instead of that of all frames.
-    void setErrorRangeOfFrame(bool ofFrame);
-    bool isErrorRangeOfFrame() const { return mErrorRangeOfFrame; }
-    /// The error that has the last colour; 0 while the mesh is not coloured by errors.
-    float errorRange() const;
 
     const model::OrbitCamera &camera() const { return mCamera; }
     void setCamera(const model::OrbitCamera &camera);
@@ -86,6 +74,8 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
+    const FrameData *coloredFrame() const override { return mUploaded.get(); }
+    void errorColoringChanged() override { update(); }
 
 private:
     enum class Drag { None, Orbit, Pan, Zoom };
@@ -110,9 +100,6 @@ private:
     model::OrbitCamera mCamera;
     ViewStyle mStyle;
     bool mStatisticsVisible = true;
-    bool mErrorColored = false;
-    bool mErrorRangeOfFrame = false;
-    QPointer<const Comparison> mComparison;
 
     QOpenGLFunctions_3_3_Core *mGl = nullptr; ///< the context's
     std::unique_ptr<SceneRenderer> mRenderer;

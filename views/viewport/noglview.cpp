@@ -2,6 +2,7 @@
 #include "views/viewport/noglview.h"
 
 #include "model/mesh/softwareraster.h"
+#include "views/viewport/errorcolors.h"
 #include "views/viewport/glsupport.h"
 
 #include <QEvent>
@@ -10,12 +11,42 @@
 #include <QVBoxLayout>
 #include <QtConcurrentRun>
 
+#include <algorithm>
+#include <array>
+
 namespace views {
 
 namespace {
 
 /// Pixels of a picture at most; drawn larger, it would take longer than a frame lasts.
 constexpr int LargestSide = 640;
+
+/// Errors as shares of `range`, as the palette wants them.
+std::vector<float> shares(const std::vector<float> &errors, float range)
+{
+    std::vector<float> result(errors.size());
+    std::transform(errors.begin(), errors.end(), result.begin(), [range](float error) { return error / range; });
+    return result;
+}
+
+QImage pictureOf(const FrameData &frame, const model::OrbitCamera &camera, QSize size, float errorRange)
+{
+    std::array<std::array<std::uint8_t, 3>, ErrorColors.size()> palette;
+    std::transform(ErrorColors.begin(), ErrorColors.end(), palette.begin(), [](QRgb color) {
+        return std::array{std::uint8_t(qRed(color)), std::uint8_t(qGreen(color)), std::uint8_t(qBlue(color))};
+    });
+    model::RasterStyle style;
+    std::vector<float> places;
+    if (errorRange > 0) {
+        places = shares(frame.errors, errorRange);
+        style.places = places;
+        style.palette = palette;
+    }
+    const model::Picture picture = model::drawMesh(frame.positions, frame.source->connectivity().triangles, camera,
+                                                   size.width(), size.height(), style);
+    return QImage(picture.rgba.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBA8888)
+        .copy();
+}
 
 } // namespace
 
@@ -80,12 +111,10 @@ void NoGlView::request()
     }
     const QSize size = area.scaled(LargestSide, LargestSide, Qt::KeepAspectRatio).expandedTo({1, 1});
     mDrawing = frame;
-    mWatcher.setFuture(QtConcurrent::run([frame, camera = mCamera, size = size.boundedTo(area)] {
-        const model::Picture picture = model::drawMesh(frame->positions, frame->source->connectivity().triangles,
-                                                       camera, size.width(), size.height());
-        return QImage(picture.rgba.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBA8888)
-            .copy();
-    }));
+    mWatcher.setFuture(
+        QtConcurrent::run([frame, camera = mCamera, size = size.boundedTo(area), range = errorRangeOf(frame.get())] {
+            return pictureOf(*frame, camera, size, range);
+        }));
 }
 
 void NoGlView::drawn()
@@ -102,8 +131,10 @@ void NoGlView::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    if (!mPicture.isNull())
-        painter.drawImage(pictureArea(), mPicture);
+    if (mPicture.isNull())
+        return;
+    painter.drawImage(pictureArea(), mPicture);
+    drawErrorScale(painter, pictureArea(), true);
 }
 
 void NoGlView::resizeEvent(QResizeEvent *event)

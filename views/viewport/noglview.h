@@ -3,6 +3,7 @@
 
 #include "model/mesh/camera.h"
 #include "views/scene/player.h"
+#include "views/viewport/errorcoloring.h"
 
 #include <QFutureWatcher>
 #include <QImage>
@@ -14,7 +15,7 @@ namespace views {
 
 /// Stands where the viewport would, on a machine without sufficient OpenGL: says what was found and what to do, and
 /// plays with pictures that the processor draws, as fast as it can.
-class NoGlView final : public QWidget
+class NoGlView final : public QWidget, public ErrorColoring
 {
     Q_OBJECT
 
@@ -33,6 +34,8 @@ protected:
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
+    const FrameData *coloredFrame() const override { return mDrawing.get(); }
+    void errorColoringChanged() override { request(); }
 
 private:
     void request();

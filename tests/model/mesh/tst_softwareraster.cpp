@@ -35,6 +35,9 @@ private slots:
     void extremeScalesAreDrawn();
     void wireframeDrawsEdges();
     void sameBytesWithAnyNumberOfThreads();
+    void endsOfThePaletteAreSurfaces();
+    void placesAreBlendedInSpace();
+    void nothingIsDrawnOnceCancelled();
 };
 
 namespace {
@@ -466,6 +469,87 @@ void TestSoftwareRaster::sameBytesWithAnyNumberOfThreads()
         QVERIFY(many.rgba == one.rgba);
     }
     model::setThreadCount(0);
+}
+
+void TestSoftwareRaster::endsOfThePaletteAreSurfaces()
+{
+    const TriangleMesh mesh = tests::cube();
+    const OrbitCamera camera = cameraFor(mesh, 1);
+    const std::array<std::array<std::uint8_t, 3>, 3> palette{{{250, 20, 10}, {30, 200, 60}, {20, 90, 240}}};
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const auto &[place, colour] : {std::pair(0.0f, 0), {-3.0f, 0}, {nan, 0}, {0.5f, 1}, {1.0f, 2}, {7.0f, 2}}) {
+        RasterStyle plain, coloured;
+        plain.surface = palette[std::size_t(colour)];
+        const std::vector<float> places(mesh.positions.size(), place);
+        coloured.places = places;
+        coloured.palette = palette;
+        const Picture expected = drawn(mesh, camera, 90, 90, plain), found = drawn(mesh, camera, 90, 90, coloured);
+        for (std::size_t i = 0; i < expected.rgba.size(); ++i)
+            QVERIFY(std::abs(int(expected.rgba[i]) - int(found.rgba[i])) <= 1);
+    }
+}
+
+// One large triangle that leads away from the eye looks as many small ones of the same plane do.
+void TestSoftwareRaster::placesAreBlendedInSpace()
+{
+    constexpr int Parts = 40;
+    const Vec3f a{-1, 0, 3}, b{1, 0, 3}, c{0, 0, -9};
+    const auto placeOf = [](Vec3f p) { return (3 - p.z) / 12; };
+    TriangleMesh large{{a, b, c}, {3, {{0, 1, 2}}}};
+    TriangleMesh small;
+    for (int row = 0; row <= Parts; ++row)
+        for (int i = 0; i <= row; ++i) {
+            const float u = float(row) / Parts, v = row ? float(i) / float(row) : 0;
+            small.positions.push_back(c * (1 - u) + (a * (1 - v) + b * v) * u);
+        }
+    for (int row = 0; row < Parts; ++row)
+        for (int i = 0; i <= row; ++i) {
+            const auto at = [](int r, int k) { return std::uint32_t(r * (r + 1) / 2 + k); };
+            small.connectivity.triangles.push_back({at(row, i), at(row + 1, i), at(row + 1, i + 1)});
+            if (i < row)
+                small.connectivity.triangles.push_back({at(row, i), at(row + 1, i + 1), at(row, i + 1)});
+        }
+    small.connectivity.vertexCount = std::uint32_t(small.positions.size());
+    OrbitCamera camera = cameraFor(large, 1);
+    camera.yaw = 0;
+    camera.pitch = 0.25f;
+    camera.distance = 6;
+    const std::array<std::array<std::uint8_t, 3>, 2> palette{{{0, 0, 0}, {255, 255, 255}}};
+    const auto picture = [&](const TriangleMesh &mesh) {
+        std::vector<float> places;
+        for (const Vec3f p : mesh.positions)
+            places.push_back(placeOf(p));
+        RasterStyle style;
+        style.places = places;
+        style.palette = palette;
+        return drawn(mesh, camera, 200, 200, style);
+    };
+    const Picture one = picture(large), many = picture(small);
+    int covered = 0, differing = 0, darkest = 255, brightest = 0;
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 200; ++x) {
+            const Pixel p = pixelOf(one, x, y), q = pixelOf(many, x, y);
+            if (p == pixelOf(one, 0, y))
+                continue; // background
+            ++covered;
+            differing += std::abs(p[0] - q[0]) > 6;
+            darkest = std::min(darkest, p[0]);
+            brightest = std::max(brightest, p[0]);
+        }
+    QVERIFY2(covered > 1500, qPrintable(QString::number(covered)));
+    QVERIFY2(brightest - darkest > 60, qPrintable(QString::number(brightest - darkest)));
+    QVERIFY2(differing < covered / 20, qPrintable(QString("%1 of %2").arg(differing).arg(covered))); // at the border
+}
+
+void TestSoftwareRaster::nothingIsDrawnOnceCancelled()
+{
+    const TriangleMesh mesh = tests::cube();
+    const model::Progress progress;
+    progress.cancel();
+    const Picture picture =
+        model::drawMesh(mesh.positions, mesh.connectivity.triangles, cameraFor(mesh, 1), 64, 64, {}, progress);
+    QCOMPARE(picture.rgba.size(), std::size_t(64 * 64 * 4));
+    QVERIFY(std::all_of(picture.rgba.begin(), picture.rgba.end(), [](std::uint8_t c) { return c == 0; }));
 }
 
 SANDREEL_TEST(TestSoftwareRaster)

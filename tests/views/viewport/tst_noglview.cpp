@@ -30,6 +30,62 @@ private slots:
         QVERIFY(view.picture().isNull());
     }
 
+    /// The left half of a sheet is where it was, the right half is off; from frame to frame by more.
+    void errorsAreColoured()
+    {
+        const auto original = tests::constant(tests::grid(), 3);
+        std::vector<model::Vec3f> positions(original->allPositions().begin(), original->allPositions().end());
+        const std::size_t count = original->vertexCount();
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            if (positions[i].x > 0.6f)
+                positions[i].z += 0.01f * float(i / count + 1);
+        views::Player player;
+        views::NoGlView view(player);
+        view.resize(400, 500);
+        view.show();
+        player.setSource(std::make_shared<model::Sequence>(original->connectivity(), positions));
+        QTRY_VERIFY(!view.picture().isNull());
+        const auto side = [&view](double place) {
+            const QImage &picture = view.picture();
+            return picture.pixelColor(int(place * picture.width()), picture.height() / 2);
+        };
+        const auto isSand = [](QColor color) { // the surface's own
+            return color.red() > color.green() && color.green() > color.blue() && color.blue() > 0.4 * color.red();
+        };
+        const auto isViolet = [](QColor color) { return color.blue() > color.green() && color.red() > color.green(); };
+        const auto isYellow = [](QColor color) {
+            return color.green() > 0.85 * color.red() && color.blue() < 0.4 * color.red();
+        };
+        constexpr double Left = 0.35, Right = 0.65;
+        QVERIFY2(isSand(side(Left)) && isSand(side(Right)), qPrintable(side(Right).name()));
+
+        views::Comparison comparison(player);
+        view.setComparison(&comparison);
+        view.setErrorColored(true);
+        comparison.start("grid", [original](const model::Progress &) -> model::Result<views::Original> {
+            return views::Original{original, {}};
+        });
+        QTRY_VERIFY(comparison.result().has_value());
+        QTRY_VERIFY2(isViolet(side(Left)), qPrintable(side(Left).name()));
+        QVERIFY(!isYellow(side(Right))); // a third of the largest error of all frames
+        QVERIFY(qAbs(view.errorRange() - 0.03f) < 1e-6f);
+        view.setErrorRangeOfFrame(true);
+        QTRY_VERIFY2(isYellow(side(Right)), qPrintable(side(Right).name()));
+        QVERIFY(qAbs(view.errorRange() - 0.01f) < 1e-6f);
+        // The scale stands in the upper right corner.
+        const QImage shown = view.grab().toImage();
+        view.setErrorColored(false);
+        QTRY_VERIFY(isSand(side(Left)));
+        QCOMPARE(view.errorRange(), 0.0f);
+        const QImage plain = view.grab().toImage();
+        const QPoint corner(shown.width() - 40, view.findChild<QLabel *>()->height() + 60);
+        QVERIFY(shown.pixel(corner) != plain.pixel(corner));
+        comparison.stop();
+        view.setErrorColored(true);
+        QTRY_VERIFY(!player.currentFrame()->original);
+        QTRY_VERIFY(isSand(side(Right)));
+    }
+
     void goesAwayWhileItDraws()
     {
         views::Player player;
