@@ -2,11 +2,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/outputs.h"
 #include "model/base/parallel.h"
-#include "model/io/animfile.h"
-#include "model/io/failure.h"
 #include "model/mesh/softwareraster.h"
+#include "views/scene/picturefiles.h"
 
-#include <QBuffer>
 #include <QFile>
 #include <QImage>
 #include <QRegularExpression>
@@ -30,7 +28,7 @@ struct Render
 
     model::Result<void> run(Console &console) const;
     model::Result<void> draw(const model::FrameSource &source, std::uint32_t index, const model::OrbitCamera &camera,
-                             const QString &path) const;
+                             const QString &path, const model::Progress &progress) const;
     model::Result<void> drawAll(const model::FrameSource &source, const model::OrbitCamera &camera,
                                 const model::Progress &progress) const;
     int width() const { return std::stoi(size); }
@@ -51,20 +49,16 @@ std::optional<QString> Render::pathOf(std::uint32_t index) const
 }
 
 model::Result<void> Render::draw(const model::FrameSource &source, std::uint32_t index,
-                                 const model::OrbitCamera &camera, const QString &path) const
+                                 const model::OrbitCamera &camera, const QString &path,
+                                 const model::Progress &progress) const
 {
     model::RasterStyle style;
     style.wireframe = wireframe;
-    const model::Picture picture =
-        model::drawMesh(source.frame(index), source.connectivity().triangles, camera, width(), height(), style);
-    const QImage image(picture.rgba.data(), picture.width, picture.height, 4 * picture.width, QImage::Format_RGBA8888);
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    if (!image.save(&buffer, "PNG"))
-        return model::io::failIn(path, model::ErrorCode::CannotWrite, "the picture cannot be encoded");
-    return model::io::saveBytes(path,
-                                {reinterpret_cast<const std::uint8_t *>(png.constData()), std::size_t(png.size())});
+    const model::Picture picture = model::drawMesh(source.frame(index), source.connectivity().triangles, camera,
+                                                   width(), height(), style, progress);
+    return views::savePng(
+        path, QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width, QImage::Format_RGBA8888),
+        progress);
 }
 
 /// A picture for each frame; on an error or an interrupt those already written are removed.
@@ -83,7 +77,7 @@ model::Result<void> Render::drawAll(const model::FrameSource &source, const mode
         }
         const QString path = *pathOf(std::uint32_t(i));
         const bool existed = QFile::exists(path);
-        const auto drawn = draw(source, std::uint32_t(i), camera, path);
+        const auto drawn = draw(source, std::uint32_t(i), camera, path, progress);
         progress.report(double(++done) / source.frameCount());
         const std::lock_guard lock(mutex);
         if (!drawn && !problem)
@@ -132,18 +126,16 @@ model::Result<void> Render::run(Console &console) const
     camera.fit(*box, float(width()) / float(height()));
 
     const model::Progress progress = console.progress("Drawing");
-    auto drawn = all ? drawAll(source, camera, progress) : draw(source, shown - 1, camera, fromUtf8(output));
+    auto drawn = all ? drawAll(source, camera, progress) : draw(source, shown - 1, camera, fromUtf8(output), progress);
     if (!drawn)
         return drawn;
-    if (console.isJson())
-        console.json({{"output", fromUtf8(output)},
-                      {"pictures", double(all ? source.frameCount() : 1)},
-                      {"width", width()},
-                      {"height", height()}});
-    else
-        console.note(
-            QStringLiteral("%1: %2").arg(fromUtf8(output), all ? QStringLiteral("%1 pictures").arg(source.frameCount())
-                                                               : QStringLiteral("frame %1").arg(shown)));
+    console.outcome(
+        {{"output", fromUtf8(output)},
+         {"pictures", double(all ? source.frameCount() : 1)},
+         {"width", width()},
+         {"height", height()}},
+        QStringLiteral("%1: %2").arg(fromUtf8(output), all ? QStringLiteral("%1 pictures").arg(source.frameCount())
+                                                           : QStringLiteral("frame %1").arg(shown)));
     return {};
 }
 

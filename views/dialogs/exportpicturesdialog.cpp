@@ -2,10 +2,10 @@
 #include "views/dialogs/exportpicturesdialog.h"
 
 #include "views/dialogs/pathfield.h"
-#include "views/dialogs/picturefiles.h"
 #include "views/dialogs/picturesizefields.h"
 #include "views/dialogs/quantitytext.h"
 #include "views/jobs/guicall.h"
+#include "views/scene/picturefiles.h"
 #include "views/viewport/animationviewport.h"
 
 #include <QComboBox>

@@ -2,8 +2,8 @@
 #include "views/dialogs/screenshotdialog.h"
 
 #include "views/dialogs/pathfield.h"
-#include "views/dialogs/picturefiles.h"
 #include "views/dialogs/picturesizefields.h"
+#include "views/scene/picturefiles.h"
 #include "views/viewport/animationviewport.h"
 
 #include <QFileInfo>

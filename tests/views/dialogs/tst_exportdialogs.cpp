@@ -6,7 +6,7 @@
 #include "views/dialogs/exportframesdialog.h"
 #include "views/dialogs/exportpicturesdialog.h"
 #include "views/dialogs/exportpointcachedialog.h"
-#include "views/dialogs/picturefiles.h"
+#include "views/scene/picturefiles.h"
 #include "views/dialogs/screenshotdialog.h"
 #include "views/viewport/animationviewport.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/dialogs/picturefiles.h"
+#include "views/scene/picturefiles.h"
 
 #include "model/io/savefile.h"
 
