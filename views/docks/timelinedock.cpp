@@ -256,6 +256,7 @@ void TimelineDock::makeWidgets()
     flow->addWidget(mPacing);
 
     auto *content = new QWidget;
+    content->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // the room is the picture's
     auto *layout = new QVBoxLayout(content);
     layout->setContentsMargins(8, 4, 8, 6);
     layout->setSpacing(4);

@@ -5,6 +5,7 @@
 #include "tests/app/editor/windowdriver.h"
 #include "tests/support/testmain.h"
 #include "views/dialogs/preparedialog.h"
+#include "views/docks/timelinedock.h"
 #include "views/viewport/animationviewport.h"
 #include "views/viewport/noglview.h"
 
@@ -334,6 +335,7 @@ private slots:
         const auto *page = tab.findChild<views::NoGlView *>();
         QVERIFY(page && page->isVisibleTo(&tab));
         QVERIFY(page->message().contains("OpenGL 3.3"));
+        QCOMPARE(tab.errorColoring(), page);
     }
 
     void languageChangesWhileTheWindowIsOpen()
@@ -344,6 +346,31 @@ private slots:
         QTRY_COMPARE(editor::plainTitle(driver.action(ActionId::Open).text()), QString("Otevřít"));
         driver.language.apply("en");
         QTRY_COMPARE(editor::plainTitle(driver.action(ActionId::Open).text()), QString("Open"));
+    }
+
+    void timelineIsNoTallerThanWhatItHolds()
+    {
+        tests::WindowDriver driver;
+        QVERIFY(driver.open(tests::makeAnim(*mFolder)));
+        auto *dock = driver.window.findChild<views::TimelineDock *>();
+        const auto spare = [dock] { return dock->widget()->height() - dock->widget()->sizeHint().height(); };
+        QTRY_COMPARE(spare(), 0);
+        const int withoutPlot = dock->height();
+        driver.window.resizeDocks({dock}, {400}, Qt::Vertical); // as by dragging its border
+        QTRY_COMPARE(spare(), 0);
+        views::Comparison &comparison = driver.document().comparison();
+        comparison.start("itself",
+                         [frames = driver.document().context()->document().frames()](
+                             const model::Progress &) -> model::Result<views::Original> {
+                             return views::Original{frames, {}};
+                         });
+        QTRY_VERIFY(dock->height() > withoutPlot + 40); // there is a plot
+        QTRY_COMPARE(spare(), 0);
+        comparison.stop();
+        QTRY_COMPARE(dock->height(), withoutPlot);
+        driver.window.resize(700, 750); // the controls wrap
+        QTRY_VERIFY(dock->height() > withoutPlot);
+        QTRY_COMPARE(spare(), 0);
     }
 
     void nothingIsClipped_data()
