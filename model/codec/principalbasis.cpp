@@ -27,9 +27,17 @@ using Eigen::MatrixXd;
 using RowMajorMatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr std::size_t BlockColumns = 256;
+// Multiplications of one task at most, some tens of milliseconds: with hundreds of trajectories blocks become smaller.
+constexpr std::size_t TaskProducts = 1u << 25;
 // Added to the diagonal of U^T U, relative to its largest entry, so that trajectories that became dependent by
 // quantisation do not make it singular. Its effect on the coefficients is below the precision of a float.
 constexpr double Ridge = 1e-10;
+
+/// Vertices of a block for whose every vertex there are so many multiplications.
+std::size_t blockWidth(std::size_t productsPerVertex)
+{
+    return std::clamp<std::size_t>(TaskProducts / std::max<std::size_t>(productsPerVertex, 1), 8, BlockColumns);
+}
 
 struct Quantizer
 {
@@ -93,9 +101,18 @@ Result<MatrixXd> principalBasis(const FrameStack &frames, std::span<const double
             return fail(ErrorCode::Cancelled);
         const std::size_t width = std::min<std::size_t>(BlockColumns, frames.vertexCount() - first);
         frames.centredVertices(means, first, width, panel.data(), BlockColumns);
-        basis.noalias() +=
-            panel.leftCols(Index(width)).cast<double>() * vectors->middleRows(Index(first), Index(width));
+        const std::size_t rowsAtOnce =
+            TaskProducts / (BlockColumns * std::max<std::size_t>(std::size_t(basis.cols()), 1)) + 1;
+        parallelRanges(frames.rowCount(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
+            if (progress.isCancelled())
+                return;
+            basis.middleRows(Index(begin), Index(end - begin)).noalias() +=
+                panel.block(Index(begin), 0, Index(end - begin), Index(width)).cast<double>() *
+                vectors->middleRows(Index(first), Index(width));
+        });
     }
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
     basis.colwise().normalize();
     return basis;
 }
@@ -154,7 +171,9 @@ Result<void> quantizeCoefficients(const FrameStack &frames, std::span<const doub
     }
     if (quantize.exceeded)
         return quantize.error();
-    pca.squaredError = fitted->squaredErrorWith(rounding);
+    pca.squaredError = fitted->squaredErrorWith(rounding, progress);
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
     return {};
 }
 
@@ -191,20 +210,28 @@ Result<FittedCoefficients> fittedCoefficients(const FrameStack &frames, std::spa
     fitted.gram.resize(fitted.rank * fitted.rank);
     const Eigen::Map<const MatrixXd> trajectories(basis.data(), Index(rows), Index(fitted.rank));
     Eigen::Map<MatrixXd> gram(fitted.gram.data(), Index(fitted.rank), Index(fitted.rank));
-    gram.noalias() = trajectories.transpose() * trajectories;
+    parallelRanges(fitted.rank, TaskProducts / (rows * std::max<std::size_t>(fitted.rank, 1)) + 1,
+                   [&](std::size_t begin, std::size_t end) {
+                       if (!progress.isCancelled())
+                           gram.middleCols(Index(begin), Index(end - begin)).noalias() =
+                               trajectories.transpose() * trajectories.middleCols(Index(begin), Index(end - begin));
+                   });
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
     MatrixXd normal = gram;
     if (fitted.rank > 0)
         normal.diagonal().array() += Ridge * normal.diagonal().maxCoeff();
     const Eigen::LLT<MatrixXd> solver(normal);
 
     // One sum for each block, added in their order: the same with any number of threads.
-    std::vector<double> errors((vertices + BlockColumns - 1) / BlockColumns);
+    const std::size_t most = blockWidth(fitted.rank * (rows + 2 * fitted.rank));
+    std::vector<double> errors((vertices + most - 1) / most);
     std::atomic<std::size_t> done = 0;
     parallelFor(errors.size(), [&](std::size_t block) {
         if (progress.isCancelled())
             return;
-        const std::size_t begin = block * BlockColumns;
-        const std::size_t width = std::min(BlockColumns, vertices - begin);
+        const std::size_t begin = block * most;
+        const std::size_t width = std::min(most, vertices - begin);
         RowMajorMatrixF panel = RowMajorMatrixF::Zero(Index(rows), Index(width));
         frames.centredVertices(means, begin, width, panel.data(), width);
         // In double: the error below is a small difference of large numbers.
@@ -225,16 +252,19 @@ Result<FittedCoefficients> fittedCoefficients(const FrameStack &frames, std::spa
     return fitted;
 }
 
-double FittedCoefficients::squaredErrorWith(std::span<const double> differences) const
+double FittedCoefficients::squaredErrorWith(std::span<const double> differences, const Progress &progress) const
 {
     if (rank == 0)
         return squaredError;
     const std::size_t vertices = differences.size() / rank;
     const Eigen::Map<const MatrixXd> products(gram.data(), Index(rank), Index(rank));
-    std::vector<double> errors((vertices + BlockColumns - 1) / BlockColumns);
+    const std::size_t most = blockWidth(rank * rank);
+    std::vector<double> errors((vertices + most - 1) / most);
     parallelFor(errors.size(), [&](std::size_t block) {
-        const std::size_t begin = block * BlockColumns;
-        const std::size_t width = std::min(BlockColumns, vertices - begin);
+        if (progress.isCancelled())
+            return;
+        const std::size_t begin = block * most;
+        const std::size_t width = std::min(most, vertices - begin);
         MatrixXd part = MatrixXd::Zero(Index(rank), Index(width));
         for (std::size_t k = 0; k < rank; ++k)
             for (std::size_t i = 0; i < width; ++i)

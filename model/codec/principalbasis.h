@@ -29,8 +29,9 @@ struct FittedCoefficients
     /// Sum of the squared distances of all vertices that the fit leaves; it is orthogonal to what rounding adds.
     double squaredError = 0;
 
-    /// The same sum with coefficients that differ from `values`. \param differences  #rank x #V
-    double squaredErrorWith(std::span<const double> differences) const;
+    /// The same sum with coefficients that differ from `values`; anything once the work is cancelled.
+    /// \param differences  #rank x #V
+    double squaredErrorWith(std::span<const double> differences, const Progress &progress) const;
 };
 
 /// The coefficients that fit best. \param basis  #rank x #3F, any trajectories. \error Cancelled

@@ -120,6 +120,8 @@ Result<QuantizedCoddyac> quantizedCoddyac(const FrameStack &frames, const Princi
     std::atomic<bool> exceeded = false;
     const double step = steps.coefficient();
     parallelFor(fitted->rank, [&](std::size_t k) {
+        if (progress.isCancelled())
+            return;
         const std::span<const double> values = std::span(fitted->values).subspan(k * vertexCount, vertexCount);
         const std::span<std::int32_t> band = std::span(result.coefficients).subspan(k * vertexCount, vertexCount);
         for (std::uint32_t v = 0; v < vertexCount; ++v) {
@@ -138,7 +140,9 @@ Result<QuantizedCoddyac> quantizedCoddyac(const FrameStack &frames, const Princi
     });
     if (exceeded)
         return tooLarge("coefficient", MaxBandValue);
-    result.squaredError = fitted->squaredErrorWith(rounding);
+    result.squaredError = fitted->squaredErrorWith(rounding, progress);
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
 
     // Bands of nothing but zeros are left out.
     const std::size_t rows = frames.rowCount();
