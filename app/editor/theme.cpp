@@ -70,6 +70,13 @@ public:
         : QProxyStyle(QStringLiteral("Fusion"))
     {}
 
+    int styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
+                  QStyleHintReturn *returned) const override
+    {
+        // Fusion's pictures of a cross and a tick are small bitmaps, and hardly to be seen on a dark button.
+        return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0 : QProxyStyle::styleHint(hint, option, widget, returned);
+    }
+
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                        const QWidget *widget) const override
     {
