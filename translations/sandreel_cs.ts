@@ -950,6 +950,13 @@
     </message>
 </context>
 <context>
+    <name>editor::Document</name>
+    <message>
+        <source>%1 (cut)</source>
+        <translation>%1 (neúplné)</translation>
+    </message>
+</context>
+<context>
     <name>editor::DocumentTab</name>
     <message>
         <source>Opening %1…</source>
@@ -973,6 +980,10 @@
 </context>
 <context>
     <name>editor::FileActions</name>
+    <message>
+        <source>%1: the file ends too early. Shown are %2 of its %3 details. Copy it again, or save what is there under another name.</source>
+        <translation>%1: soubor končí příliš brzy. Počet zobrazených detailů: %2 z %3. Zkopírujte jej znovu, nebo uložte to, co je k dispozici, pod jiným názvem.</translation>
+    </message>
     <message>
         <source>%1 cannot be opened.</source>
         <translation>%1 nelze otevřít.</translation>
@@ -1270,6 +1281,10 @@
 </context>
 <context>
     <name>editor::Workspace</name>
+    <message>
+        <source>What is there of a file that was cut, not saved to a file yet</source>
+        <translation>To, co je k dispozici z neúplného souboru, zatím neuložené do souboru</translation>
+    </message>
     <message>
         <source>Sample, not saved to a file yet</source>
         <translation>Ukázka, zatím neuložená do souboru</translation>

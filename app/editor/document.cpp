@@ -34,6 +34,8 @@ model::Result<Saved> saveToFile(const model::FrameSource &frames, const model::C
     return Saved{views::factsOf(**decoded), stamp};
 }
 
+constexpr std::uint64_t WholeFile = ~std::uint64_t(0);
+
 bool isInResources(const QString &path)
 {
     return path.startsWith(QLatin1String(":/"));
@@ -66,14 +68,18 @@ void Document::open(const QString &path)
     {
         AnimationPtr animation;
         FileStamp stamp;
+        std::optional<Cut> cut;
     };
     mOpening.start(
         [path](const model::Progress &progress) -> model::Result<Opened> {
             const FileStamp stamp = FileStamp::of(path); // before reading: a later writer is then noticed
             auto animation = model::io::openAnim(path, progress);
+            if (!animation && animation.error().code == model::ErrorCode::Truncated)
+                if (auto prefix = model::io::openAnimPrefix(path, WholeFile, progress))
+                    return Opened{prefix->animation, stamp, Cut{prefix->animation->basisSize(), prefix->bandsInFile}};
             if (!animation)
                 return model::fail(std::move(animation.error()));
-            return Opened{std::move(*animation), stamp};
+            return Opened{std::move(*animation), stamp, {}};
         },
         [this](model::Result<Opened> result) {
             if (!result) {
@@ -81,6 +87,9 @@ void Document::open(const QString &path)
                 return;
             }
             mStamp = result->stamp;
+            mCut = result->cut;
+            if (mCut)
+                mPath.clear(); // so that saving asks where: the file may still be coming
             take(std::move(result->animation));
         });
 }
@@ -125,6 +134,7 @@ void Document::save(const QString &path)
                           return;
                       }
                       mSource = mPath = path;
+                      mCut.reset();
                       mStamp = result->stamp;
                       mFacts = std::move(result->facts);
                       mSavedContent = std::move(content);
@@ -141,6 +151,8 @@ void Document::save(const QString &path)
 
 QString Document::title() const
 {
+    if (mCut)
+        return tr("%1 (cut)").arg(QFileInfo(mSource).completeBaseName());
     return mPath.isEmpty() ? sampleName(mSource) : QFileInfo(mPath).completeBaseName();
 }
 

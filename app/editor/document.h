@@ -43,10 +43,16 @@ public:
     views::Job &openingJob() { return mOpening; }
     views::Job &savingJob() { return mSaving; }
 
-    /// Where it is saved; empty for a sample that was not saved yet.
+    /// Where it is saved; empty for a sample, or what is there of a file that was cut, that was not saved yet.
     const QString &path() const { return mPath; }
     /// For tabs and titles: the file's name, or the sample's.
     QString title() const;
+    /// What a file that was cut shows, as long as it was not saved.
+    struct Cut
+    {
+        std::uint32_t details = 0, detailsInFile = 0; ///< basis trajectories
+    };
+    const std::optional<Cut> &cut() const { return mCut; }
     /// There is something that the file does not hold.
     bool isModified() const;
     /// Another program wrote, or removed, the file since we read or wrote it.
@@ -90,6 +96,7 @@ private:
 
     QString mSource; ///< as given to open()
     QString mPath;
+    std::optional<Cut> mCut;
     FileStamp mStamp;
     std::optional<views::FileFacts> mFacts;
     std::unique_ptr<model::AnimationDocument> mDocument;

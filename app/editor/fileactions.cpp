@@ -308,6 +308,16 @@ void FileActions::opened(DocumentTab &tab)
         mSettings.setLastFolder(QFileInfo(document.path()).absolutePath());
         emit recentFilesChanged();
     }
+    if (document.cut()) {
+        const QString message =
+            tr("%1: the file ends too early. Shown are %2 of its %3 details. Copy it again, or save "
+               "what is there under another name.")
+                .arg(document.title())
+                .arg(document.cut()->details)
+                .arg(document.cut()->detailsInFile);
+        mLog.add(views::LogLevel::Warning, message);
+        mWorkspace.messages().add(views::MessageBar::Kind::Warning, message);
+    }
     update();
 }
 

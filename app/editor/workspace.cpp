@@ -103,8 +103,9 @@ void Workspace::showState(DocumentTab &tab)
     title.replace(QLatin1Char('&'), QLatin1String("&&"));
     mTabs->setTabText(index, title);
     mTabs->setTabIcon(index, tabIcon(document));
-    QString tip =
-        document.path().isEmpty() ? tr("Sample, not saved to a file yet") : QDir::toNativeSeparators(document.path());
+    QString tip = document.cut()              ? tr("What is there of a file that was cut, not saved to a file yet")
+                  : document.path().isEmpty() ? tr("Sample, not saved to a file yet")
+                                              : QDir::toNativeSeparators(document.path());
     if (document.isModified())
         tip += QLatin1Char('\n') + tr("Has unsaved changes");
     mTabs->setTabToolTip(index, tip);

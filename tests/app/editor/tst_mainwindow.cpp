@@ -302,6 +302,50 @@ private slots:
         QVERIFY(driver.window.findChild<QUndoView *>("historySteps")->stack());
     }
 
+    void cutFilesShowWhatIsThere()
+    {
+        const QString path = tests::makeAnim(*mFolder, "cut.anim", {model::ReelSettings{0.001, 0}});
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        const QByteArray whole = file.readAll();
+        QVERIFY(file.resize(whole.size() - 20));
+        file.close();
+        tests::WindowDriver driver;
+        QVERIFY(driver.open(path));
+        editor::Document &document = driver.document();
+        QVERIFY(document.cut() && document.cut()->details < document.cut()->detailsInFile);
+        QCOMPARE(document.title(), QStringLiteral("cut (cut)"));
+        QVERIFY(document.path().isEmpty() && !document.isModified());
+        const QStringList messages = driver.window.workspace().messages().texts();
+        QCOMPARE(messages.size(), 1);
+        QVERIFY2(
+            messages[0].contains(
+                QStringLiteral("%1 of its %2 details").arg(document.cut()->details).arg(document.cut()->detailsInFile)),
+            qPrintable(messages[0]));
+        // Saved as what is seen, elsewhere; then it is a file like any other.
+        const model::FrameSourcePtr shown = document.context()->document().frames();
+        const auto frame = shown->frame(3);
+        QVERIFY(driver.action(ActionId::Save).isEnabled());
+        document.save(mFolder->filePath("saved.anim"));
+        QVERIFY(driver.settle());
+        QVERIFY(!document.cut());
+        QCOMPARE(document.title(), QStringLiteral("saved"));
+        const auto saved = model::io::openAnim(mFolder->filePath("saved.anim"));
+        QVERIFY(saved.has_value());
+        QVERIFY((*saved)->frame(3) == frame);
+        QCOMPARE(QFileInfo(path).size(), whole.size() - 20);
+        // The rest has come meanwhile.
+        QVERIFY(driver.open(path));
+        QVERIFY(driver.document().cut().has_value());
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(whole), whole.size());
+        file.close();
+        driver.action(ActionId::Reload).trigger();
+        QVERIFY(driver.settle());
+        QVERIFY(!driver.document().cut());
+        QCOMPARE(driver.document().path(), path);
+    }
+
     void recentFilesAreOfferedAndMissingOnesSurvived()
     {
         tests::WindowDriver driver;

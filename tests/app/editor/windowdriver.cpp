@@ -55,7 +55,7 @@ bool WindowDriver::open(const QString &path)
     return settle() && window.workspace().current() && document().isOpen();
 }
 
-QString makeAnim(const QTemporaryDir &folder, const QString &name)
+QString makeAnim(const QTemporaryDir &folder, const QString &name, const model::CompressionSettings &settings)
 {
     constexpr std::uint32_t Side = 6;
     constexpr std::uint32_t Frames = 12;
@@ -71,7 +71,7 @@ QString makeAnim(const QTemporaryDir &folder, const QString &name)
         for (std::uint32_t i = 0; i < Side * Side; ++i)
             positions.push_back({float(i % Side), std::sin(0.5f * float(frame) + 0.4f * float(i)), float(i / Side)});
     const model::Sequence sequence(connectivity, positions, 25, "wave");
-    const auto encoded = model::codec::encodeAnimation(sequence, {model::PcaSettings()});
+    const auto encoded = model::codec::encodeAnimation(sequence, settings);
     const QString path = folder.filePath(name);
     if (!encoded || !model::io::saveBytes(path, encoded->bytes))
         QTest::qFail("the test file cannot be made", __FILE__, __LINE__);

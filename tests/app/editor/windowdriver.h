@@ -4,6 +4,7 @@
 #include "app/editor/documenttab.h"
 #include "app/editor/language.h"
 #include "app/editor/mainwindow.h"
+#include "model/animation/compressionsettings.h"
 
 #include <QTemporaryDir>
 
@@ -30,7 +31,8 @@ struct WindowDriver
 };
 
 /// A small `.anim` file of our own in `folder`.
-QString makeAnim(const QTemporaryDir &folder, const QString &name = QStringLiteral("wave.anim"));
+QString makeAnim(const QTemporaryDir &folder, const QString &name = QStringLiteral("wave.anim"),
+                 const model::CompressionSettings &settings = {model::PcaSettings()});
 
 /// Does `what` with the next modal dialog, as soon as it is there.
 void withNextDialog(std::function<void(QDialog &)> what);
