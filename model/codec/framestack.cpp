@@ -75,6 +75,21 @@ Result<FrameStack> FrameStack::gather(const FrameSource &source, const Progress 
     return stack;
 }
 
+FrameStack FrameStack::subset(std::span<const std::uint32_t> vertices) const
+{
+    FrameStack stack;
+    stack.mVertexCount = std::uint32_t(vertices.size());
+    stack.mFrames.resize(mFrames.size());
+    stack.mOwn.resize(vertices.size() * mFrames.size());
+    parallelFor(mFrames.size(), [&](std::size_t f) {
+        const std::span<Vec3f> frame(stack.mOwn.data() + f * vertices.size(), vertices.size());
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            frame[i] = mFrames[f][vertices[i]];
+        stack.mFrames[f] = frame;
+    });
+    return stack;
+}
+
 std::vector<double> FrameStack::rowMeans() const
 {
     std::vector<double> means(rowCount());

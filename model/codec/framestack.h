@@ -18,6 +18,9 @@ public:
     /// Keeps a view of `source`. \error NonFinite, OutOfMemory, Cancelled
     static Result<FrameStack> gather(const FrameSource &source, const Progress &progress);
 
+    /// A copy of some of the vertices, in this order.
+    FrameStack subset(std::span<const std::uint32_t> vertices) const;
+
     std::uint32_t frameCount() const { return std::uint32_t(mFrames.size()); }
     std::uint32_t vertexCount() const { return mVertexCount; }
     std::size_t rowCount() const { return 3 * mFrames.size(); }

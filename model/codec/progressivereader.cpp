@@ -10,7 +10,8 @@ namespace model::codec {
 namespace {
 
 // In the order of ProgressiveReader::Part.
-constexpr std::array PartTags{ReelParametersTag, ReelConnectivityTag, ReelOrderTag, ReelShapeTag, ReelBandsTag};
+constexpr std::array PartTags{ReelParametersTag, ReelConnectivityTag, ReelOrderTag,
+                              ReelClustersTag,   ReelShapeTag,        ReelBandsTag};
 
 // Of a payload that has not come; keeps sums from overflowing.
 constexpr std::uint64_t MaxBelievedLength = std::uint64_t(1) << 62;
@@ -132,6 +133,11 @@ Result<void> ProgressiveReader::readReel(const Progress &progress)
     if (!mReel->hasOrder() && has(Order))
         if (const auto read = mReel->readOrder(chunk(Order)); !read)
             return read;
+    if (!mHasClusters && has(ClusterLabels)) {
+        if (const auto read = mReel->readClusters(chunk(ClusterLabels)); !read)
+            return read;
+        mHasClusters = true;
+    }
     if (!mReel->hasShape() && has(Shape))
         if (const auto read = mReel->readShape(chunk(Shape), progress.part(0.3, 0.4)); !read)
             return read;
@@ -202,7 +208,7 @@ Bytes ProgressiveReader::fileSoFar() const
 {
     ContainerWriter writer(*header());
     writer.chunk(ReelParametersTag, mReel->parametersSoFar());
-    for (const Part part : {Triangles, Order, Shape})
+    for (const Part part : {Triangles, Order, ClusterLabels, Shape})
         if (has(part))
             writer.chunk(PartTags[part], chunk(part).payload);
     const std::optional<CutChunk> cut = mFile.cut();

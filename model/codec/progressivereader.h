@@ -54,7 +54,7 @@ public:
 
 private:
     /// The chunks of a `reel` file.
-    enum Part { Parameters, Triangles, Order, Shape, Bands, PartCount };
+    enum Part { Parameters, Triangles, Order, ClusterLabels, Shape, Bands, PartCount };
 
     Result<void> read(std::span<const std::uint8_t> piece, const Progress &progress);
     Result<void> sortChunks();
@@ -73,6 +73,7 @@ private:
     std::array<std::optional<std::size_t>, PartCount> mParts;
     std::unique_ptr<ReelDecoder> mReel;
     bool mHasConnectivity = false;
+    bool mHasClusters = false;
     bool mWaitsForEnd = false; ///< the connectivity takes more memory than its bytes allow
     std::shared_ptr<const DecodedAnimation> mShown;
     bool mShownIsWhole = false; ///< has all bands

@@ -24,15 +24,19 @@ std::vector<double> levelSteps(std::size_t finest, double ratio)
     return steps;
 }
 
-BandCoder::BandCoder(const CoarseToFine &nodes, std::vector<Weights> prior, const BandSettings &settings)
+BandModel::BandModel()
+    : ResidualModel({SizeClasses * SizeClasses, SizeClasses * LevelContexts, BandContexts * SizeClasses,
+                     SizeClasses * SizeClasses, SizeClasses * SizeClasses, SizeClasses * SizeClasses})
+{}
+
+BandCoder::BandCoder(const CoarseToFine &nodes, std::vector<Weights> prior, const BandSettings &settings, Model &model)
     : mNodes(nodes)
     , mSettings(settings)
     , mLevelSteps(levelSteps(nodes.finest, settings.levelRatio))
     , mPrior(std::move(prior))
     , mWeights(mPrior)
     , mValues(nodes.size() * settings.bands)
-    , mModel({SizeClasses * SizeClasses, SizeClasses * LevelContexts, BandContexts * SizeClasses,
-              SizeClasses * SizeClasses, SizeClasses * SizeClasses, SizeClasses * SizeClasses})
+    , mModel(model)
     , mNextLesson(FirstLesson)
     , mMagnitudes(nodes.size())
     , mLast(nodes.size())

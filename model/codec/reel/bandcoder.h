@@ -24,6 +24,17 @@ struct BandSettings
 /// Steps of the levels in units of the finest one's, which is 1.
 std::vector<double> levelSteps(std::size_t finest, double ratio);
 
+/// What is learned of residuals while bands are coded; several coders may share one.
+class BandModel : public ResidualModel<6, 20>
+{
+public:
+    static constexpr std::size_t Sets = 20;
+    static constexpr std::uint32_t LevelContexts = SizeClasses;
+    static constexpr std::uint32_t BandContexts = 64;
+
+    BandModel();
+};
+
 /// Codes values on nodes, band after band: each is interpolated from the known nodes, with weights that are learned
 /// from the bands before, and the rest is coded in contexts that say how large it will be. The values are in units of
 /// their band's step. FORMAT.md 13.4.
@@ -34,12 +45,10 @@ std::vector<double> levelSteps(std::size_t finest, double ratio);
 class BandCoder
 {
 public:
-    static constexpr std::size_t Inputs = 6;
-    static constexpr std::size_t Sets = 20;
-    using Model = ResidualModel<Inputs, Sets>;
+    using Model = BandModel;
 
-    /// Keeps a view of `nodes`. \param prior  weights to start with
-    BandCoder(const CoarseToFine &nodes, std::vector<Weights> prior, const BandSettings &settings);
+    /// Keeps views of `nodes` and `model`. \param prior  weights to start with
+    BandCoder(const CoarseToFine &nodes, std::vector<Weights> prior, const BandSettings &settings, Model &model);
 
     /// \returns false if the residuals ran out in the middle of the band: the next call goes on there
     template <class Residual>
@@ -77,8 +86,6 @@ public:
 
 private:
     static constexpr std::uint32_t MagnitudeLimit = 4000;
-    static constexpr std::uint32_t LevelContexts = SizeClasses;
-    static constexpr std::uint32_t BandContexts = 64;
     static constexpr std::size_t MaxAdjacent = 32;
     // A sixteenth of a step is the unit of all that is expected.
     static constexpr std::uint32_t Unit = 16;
@@ -103,12 +110,12 @@ private:
         const std::uint32_t last = mBand > 0 ? mLast[i] : 1;
         const std::uint32_t secondLast = mBand > 1 ? mSecondLast[i] : last;
 
-        set = std::min<std::size_t>(sizeClass(std::min(expected, 1000u)), Sets - 1);
+        set = std::min<std::size_t>(sizeClass(std::min(expected, 1000u)), Model::Sets - 1);
         const std::uint32_t aroundClass = cappedClass(around), beforeClass = cappedClass(before);
         return {aroundClass * SizeClasses + beforeClass,
-                sizeClass(std::min(2 * expected, 3000u)) * LevelContexts +
-                    std::min<std::uint32_t>(mNodes.levels[i], LevelContexts - 1),
-                std::min(std::uint32_t(mBand), BandContexts - 1) * SizeClasses + cappedClass(expected),
+                sizeClass(std::min(2 * expected, 3000u)) * Model::LevelContexts +
+                    std::min<std::uint32_t>(mNodes.levels[i], Model::LevelContexts - 1),
+                std::min(std::uint32_t(mBand), Model::BandContexts - 1) * SizeClasses + cappedClass(expected),
                 beforeClass * SizeClasses + cappedClass(nearby),
                 std::min(last, 5u) * 4 + std::min(secondLast, 3u) + 24 * aroundClass,
                 aroundClass * SizeClasses + cappedClass(all / 2)};
@@ -120,7 +127,7 @@ private:
     const std::vector<Weights> mPrior;
     std::vector<Weights> mWeights;
     std::vector<double> mValues; ///< #N x bands
-    Model mModel;
+    Model &mModel;
     std::size_t mBand = 0;
     std::size_t mNode = 0; ///< of this band, where to go on
     std::size_t mNextLesson;

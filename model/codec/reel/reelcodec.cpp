@@ -37,7 +37,10 @@ struct KnownSource
     KnownResiduals basisResiduals{coder, choice.basis.data()};
     KnownResiduals coefficientResiduals{coder, choice.coefficients.data()};
 
-    std::int32_t step(StepCoder &steps, std::uint32_t k) { return steps.code(coder, choice.stepExponents[k]); }
+    TrajectoryStart start(ClusterLabelCoder &labels, StepCoder &steps, std::uint32_t k)
+    {
+        return codeStart(coder, labels, steps, {choice.labels[k], choice.stepExponents[k]});
+    }
     KnownResiduals &basis() { return basisResiduals; }
     KnownResiduals &coefficients() { return coefficientResiduals; }
     bool hasRunOut() const { return false; }
@@ -64,7 +67,7 @@ EncodedAnimation assembleReel(const FrameSource &source, const ReelEncoder &enco
     RangeEncoder shape, bands;
     codeShape(KnownResiduals{shape, choice.shape.data()}, KnownResiduals{shape, choice.means.data()}, nodes,
               choice.parameters, places, means, [] { return true; });
-    TrajectoryWalk walk(nodes, choice.parameters, places);
+    TrajectoryWalk walk(nodes, choice.clusters, choice.parameters, places);
     KnownSource known{bands, choice};
     while (walk.done() < choice.parameters.basisSize)
         walk.next(known);
@@ -76,6 +79,12 @@ EncodedAnimation assembleReel(const FrameSource &source, const ReelEncoder &enco
     if (keepOrder) {
         writer.chunk(ReelOrderTag, encodeVertexOrder(permutation, connectivity.coded.neighbours));
         std::iota(permutation.begin(), permutation.end(), 0u);
+    }
+    if (choice.clusters.count > 1) {
+        RangeEncoder coder;
+        Clusters clusters = choice.clusters;
+        codeClusters(coder, clusters, clusters.labels.size());
+        writer.chunk(ReelClustersTag, coder.finish());
     }
     writer.chunk(ReelShapeTag, shape.finish());
     writer.chunk(ReelBandsTag, bands.finish());
@@ -117,6 +126,11 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeReel(Bytes file, const Con
     if (!order)
         return fail(order.error());
 
+    const bool hasClusters = container.has(ReelClustersTag);
+    const Result<Chunk> clusters = hasClusters ? container.only(ReelClustersTag) : Chunk();
+    if (!clusters)
+        return fail(clusters.error());
+
     ReelDecoder decoder(container.header);
     const std::uint64_t limit = limits.bytesFor(file.size());
     const Result<void> opened =
@@ -129,6 +143,7 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeReel(Bytes file, const Con
             })
             .and_then([&] { return decoder.readConnectivity(chunks[1], limit, progress.part(0, 0.3)); })
             .and_then([&] { return keepsOrder ? decoder.readOrder(*order) : Result<void>(); })
+            .and_then([&] { return hasClusters ? decoder.readClusters(*clusters, chunks[2]) : Result<void>(); })
             .and_then([&] { return decoder.readShape(chunks[2], progress.part(0.3, 0.4)); })
             .and_then(
                 [&] { return decoder.readBands(chunks[3].payload, chunks[3].offset, true, progress.part(0.4, 1)); });

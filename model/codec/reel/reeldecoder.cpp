@@ -4,6 +4,7 @@
 #include "model/base/digest.h"
 #include "model/codec/connectivity/vertexorder.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace model::codec {
@@ -14,8 +15,9 @@ namespace {
 constexpr std::uint32_t ShapeRank = 3;
 // The range decoder's first bytes.
 constexpr std::size_t StartBytes = 4;
-// More than a step's exponent can take: eight decisions and three times direct bits, no more than two bytes each.
-constexpr std::size_t StepBytes = 32;
+// More than the start of a trajectory can take: fourteen decisions and three times direct bits, no more than two bytes
+// each.
+constexpr std::size_t MostStartBytes = 48;
 
 tl::unexpected<Error> corrupt(std::string_view stage, std::uint64_t offset)
 {
@@ -71,7 +73,10 @@ struct WholeSource
 {
     RangeDecoder &coder;
 
-    std::int32_t step(StepCoder &steps, std::uint32_t) { return steps.code(coder); }
+    TrajectoryStart start(ClusterLabelCoder &labels, StepCoder &steps, std::uint32_t)
+    {
+        return codeStart(coder, labels, steps);
+    }
     ReadResiduals basis() { return {coder}; }
     ReadResiduals coefficients() { return {coder}; }
     bool hasRunOut() const { return false; }
@@ -82,19 +87,22 @@ struct ComingSource
     RangeDecoder &coder;
     bool ranOut = false;
 
-    std::int32_t step(StepCoder &steps, std::uint32_t)
+    TrajectoryStart start(ClusterLabelCoder &labels, StepCoder &steps, std::uint32_t)
     {
-        if (coder.left() >= StepBytes)
-            return steps.code(coder);
+        if (coder.left() >= MostStartBytes)
+            return codeStart(coder, labels, steps);
         const RangeDecoder before = coder;
-        StepCoder after = steps;
-        const std::int32_t exponent = after.code(coder);
+        ClusterLabelCoder labelsAfter = labels;
+        StepCoder stepsAfter = steps;
+        const TrajectoryStart result = codeStart(coder, labelsAfter, stepsAfter);
         ranOut = coder.hasReadPastEnd();
-        if (ranOut)
+        if (ranOut) {
             coder = before;
-        else
-            steps = after;
-        return exponent;
+        } else {
+            labels = std::move(labelsAfter);
+            steps = stepsAfter;
+        }
+        return result;
     }
     ComingResiduals basis() { return ComingResiduals(coder); }
     ComingResiduals coefficients() { return ComingResiduals(coder); }
@@ -131,8 +139,9 @@ Result<void> ReelDecoder::readParameters(const Chunk &chunk)
 
 std::uint64_t ReelDecoder::neededBytes() const
 {
-    // What coarseToFine() holds of a vertex with its six neighbours, and needs while it works.
-    constexpr std::uint64_t BytesOfNode = 400;
+    // What coarseToFine() holds of a vertex with its six neighbours, and needs while it works; later, with clusters, the
+    // same again of their own nodes takes the place of the latter.
+    constexpr std::uint64_t BytesOfNode = 430;
     const std::uint64_t vertices = mHeader.vertexCount, frames = mHeader.frameCount, rank = mParameters.basisSize;
     return ProductAnimation::neededBytes(mHeader, std::uint32_t(rank) + ShapeRank) + (vertices + frames) * BytesOfNode +
            BandCoder::neededBytes(vertices, rank) + BandCoder::neededBytes(frames, 3 * rank) +
@@ -164,6 +173,17 @@ Result<void> ReelDecoder::readOrder(const Chunk &chunk)
     return {};
 }
 
+Result<void> ReelDecoder::readClusters(const Chunk &chunk, const std::optional<Chunk> &next)
+{
+    const std::vector<std::uint32_t> components = componentsOf(*mVertices);
+    const std::size_t count = components.empty() ? 0 : 1 + *std::ranges::max_element(components);
+    RangeDecoder coder(chunk.payload);
+    if (!codeClusters(coder, mClusters, count) || !coder.isAtEnd() || hasShape() ||
+        (next && next->offset < chunk.offset))
+        return corrupt("clusters", chunk.offset);
+    return {};
+}
+
 Result<void> ReelDecoder::readShape(const Chunk &chunk, const Progress &progress)
 {
     const ReelNodes nodes{*mVertices, mFrames};
@@ -181,7 +201,7 @@ Result<void> ReelDecoder::readShape(const Chunk &chunk, const Progress &progress
         isFinite = isFinite && isFiniteAsFloat(mean);
     if (!isFinite)
         return corrupt("shape", chunk.offset);
-    mWalk.emplace(nodes, mParameters, mPlaces);
+    mWalk.emplace(nodes, mClusters, mParameters, mPlaces);
     return {};
 }
 
@@ -202,7 +222,7 @@ Result<void> ReelDecoder::readBands(std::span<const std::uint8_t> payload, std::
             return fail(ErrorCode::Cancelled);
         const bool done = isWhole ? mWalk->next(all) : mWalk->next(coming);
         // What was read of a stream that is still coming is in it, so that only its values can tell.
-        if (mBands->isBad() || (done && !isLastFinite()))
+        if (mBands->isBad() || mWalk->isBad() || (done && !isLastFinite()))
             return corrupt("bands", offset);
         if (!done)
             return {};
@@ -222,8 +242,8 @@ bool ReelDecoder::isLastFinite() const
     for (std::size_t node = 0; node < mFrames.size(); ++node)
         for (std::size_t axis = 0; axis < 3; ++axis)
             isFinite = isFinite && isFiniteAsFloat(mWalk->basisValue(k, node, axis));
-    for (std::size_t node = 0; node < mVertices->size(); ++node)
-        isFinite = isFinite && isFiniteAsFloat(mWalk->coefficient(k, node));
+    for (std::size_t i = 0; i < mWalk->members(k).size(); ++i)
+        isFinite = isFinite && isFiniteAsFloat(mWalk->coefficient(k, i));
     return isFinite;
 }
 
@@ -242,14 +262,16 @@ std::shared_ptr<const DecodedAnimation> ReelDecoder::animation(Bytes file, const
     animation->setConnectivity(std::move(connectivity));
 
     const double shapeScale = shapeStep(mParameters) / std::sqrt(double(mHeader.frameCount));
-    for (std::size_t node = 0; node < mVertices->size(); ++node) {
+    const auto shown = [&](std::size_t node) {
         const std::uint32_t coded = mVertices->vertices[node];
-        const std::size_t shown = mOrder ? (*mOrder)[coded] : coded;
+        return mOrder ? (*mOrder)[coded] : coded;
+    };
+    for (std::size_t node = 0; node < mVertices->size(); ++node)
         for (std::uint32_t axis = 0; axis < ShapeRank; ++axis)
-            animation->setCoefficient(axis, shown, mPlaces[node][axis] * shapeScale);
-        for (std::uint32_t k = 0; k < rank; ++k)
-            animation->setCoefficient(ShapeRank + k, shown, mWalk->coefficient(k, node));
-    }
+            animation->setCoefficient(axis, shown(node), mPlaces[node][axis] * shapeScale);
+    for (std::uint32_t k = 0; k < rank; ++k)
+        for (std::size_t i = 0; i < mWalk->members(k).size(); ++i)
+            animation->setCoefficient(ShapeRank + k, shown(mWalk->members(k)[i]), mWalk->coefficient(k, i));
     for (std::size_t node = 0; node < mFrames.size(); ++node)
         for (std::uint32_t axis = 0; axis < 3; ++axis) {
             const std::size_t row = 3 * std::size_t(mFrames.vertices[node]) + axis;
@@ -261,7 +283,7 @@ std::shared_ptr<const DecodedAnimation> ReelDecoder::animation(Bytes file, const
     animation->setPrefixBytes(prefixBytes(container));
     std::uint64_t digest = 0;
     for (const std::string_view tag :
-         {ReelParametersTag, ReelConnectivityTag, ReelShapeTag, ReelBandsTag, ReelOrderTag})
+         {ReelParametersTag, ReelConnectivityTag, ReelShapeTag, ReelBandsTag, ReelOrderTag, ReelClustersTag})
         if (container.has(tag))
             digest = digestOfArray(container.only(tag)->payload, digest);
     animation->setFile(std::move(file), digest);

@@ -26,6 +26,9 @@ public:
     Result<void> readConnectivity(const Chunk &chunk, std::uint64_t memoryLimit, const Progress &progress);
     /// \error CorruptStream
     Result<void> readOrder(const Chunk &chunk);
+    /// Before the shape, or never. \param next  the chunk of the shape, if it is there already
+    /// \error CorruptStream
+    Result<void> readClusters(const Chunk &chunk, const std::optional<Chunk> &next = {});
     /// \error CorruptStream, Cancelled
     Result<void> readShape(const Chunk &chunk, const Progress &progress);
 
@@ -63,8 +66,9 @@ private:
     std::optional<CoarseToFine> mVertices;
     CoarseToFine mFrames;
     std::optional<std::vector<std::uint32_t>> mOrder; ///< #V: where each coded vertex is shown
-    std::vector<Point> mPlaces;                       ///< #N x 3, in steps
-    std::vector<double> mMeans;                       ///< #F x 3
+    Clusters mClusters;
+    std::vector<Point> mPlaces; ///< #N x 3, in steps
+    std::vector<double> mMeans; ///< #F x 3
     std::optional<TrajectoryWalk> mWalk;
     std::optional<RangeDecoder> mBands;
     std::optional<RangeDecoder> mAtLastEnd; ///< as it was after the latest whole trajectory

@@ -3,7 +3,10 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace model::codec {
 
@@ -63,18 +66,30 @@ public:
     }
 
     bool exceeded() const { return mExceeded; }
+    /// Of all that was chosen, but for the tails of large residuals.
+    double bits() const { return mCoder.bits; }
 
 private:
     /// Takes decisions as a range coder does, and writes nothing.
-    struct NullCoder
+    struct CountingCoder
     {
-        std::uint32_t decision(std::uint32_t, std::uint32_t value) { return value; }
-        std::uint32_t direct(unsigned, std::uint32_t value) { return value; }
+        std::uint32_t decision(std::uint32_t probabilityOfOne, std::uint32_t value)
+        {
+            bits += DecisionCost::of(probabilityOfOne, value);
+            return value;
+        }
+        std::uint32_t direct(unsigned count, std::uint32_t value)
+        {
+            bits += count;
+            return value;
+        }
         std::uint32_t bit(AdaptiveBit &model, std::uint32_t value) { return model.update(value), value; }
+
+        double bits = 0;
     };
 
     double mBitPrice;
-    NullCoder mCoder;
+    CountingCoder mCoder;
     bool mExceeded = false;
 };
 
@@ -114,13 +129,19 @@ Eigen::VectorXd constantTrajectory(const Eigen::Vector3d &place, std::size_t fra
 
 } // namespace
 
-ReelEncoder::ReelEncoder(Trajectories trajectories, EncodedConnectivity connectivity, CoarseToFine vertexNodes,
-                         std::uint32_t frameCount)
-    : mTrajectories(std::move(trajectories))
+ReelEncoder::ReelEncoder(const FrameStack &frames, Trajectories trajectories, EncodedConnectivity connectivity,
+                         CoarseToFine vertexNodes)
+    : mFrames(&frames)
     , mConnectivity(std::move(connectivity))
-    , mVertexNodes(std::move(vertexNodes))
-    , mFrameNodes(coarseToFineInTime(frameCount))
-{}
+    , mFrameNodes(coarseToFineInTime(frames.frameCount()))
+    , mWhole{{}, {}, std::move(vertexNodes), nullptr, std::move(trajectories)}
+    , mComponents(componentsOf(mWhole.nodes))
+{
+    for (std::uint32_t node = 0; node < mWhole.nodes.size(); ++node) {
+        mWhole.members.push_back(node);
+        mWhole.columns.push_back(inputVertex(node));
+    }
+}
 
 ReelEncoder::ReelEncoder(ReelEncoder &&) noexcept = default;
 ReelEncoder::~ReelEncoder() = default;
@@ -128,69 +149,170 @@ ReelEncoder::~ReelEncoder() = default;
 Result<ReelEncoder> ReelEncoder::prepare(const FrameStack &frames, EncodedConnectivity connectivity,
                                          const Progress &progress)
 {
-    Result<Trajectories> trajectories = Trajectories::of(frames, progress.part(0, 0.8));
+    Result<Trajectories> trajectories = Trajectories::of(frames, frames.rowMeans(), progress.part(0, 0.8));
     if (!trajectories)
         return fail(trajectories.error());
     Result<CoarseToFine> nodes = coarseToFine(connectivity.coded.connectivity, progress.part(0.8, 1));
     if (!nodes)
         return fail(nodes.error());
-    return ReelEncoder(std::move(*trajectories), std::move(connectivity), std::move(*nodes), frames.frameCount());
+    return ReelEncoder(frames, std::move(*trajectories), std::move(connectivity), std::move(*nodes));
 }
 
 // What steps are measured by where all vertices of a frame are in one point.
 double ReelEncoder::meanMotion() const
 {
-    const std::vector<double> &means = mTrajectories.means();
+    const std::vector<double> &means = trajectories().means();
     double squares = 0;
     for (std::size_t row = 0; row < means.size(); ++row)
         squares += (means[row] - means[row % 3]) * (means[row] - means[row % 3]);
     return squares > 0 ? std::sqrt(squares) : 1;
 }
 
-Result<std::size_t> ReelEncoder::basisSizeFor(const ReelSettings &settings, double step, const Progress &progress)
+/// How many trajectories are stronger than `least`. \param most  no more
+Result<std::size_t> basisSizeFor(Trajectories &trajectories, std::size_t most, double least, const Progress &progress)
 {
-    const double least = leastStrength(valuesPerVertex(mFrameNodes.size(), mVertexNodes.size()));
-    const std::size_t most = settings.basisSize ? settings.basisSize : ReelSettings::MaxBasisSize;
     std::size_t count = std::min(most, FirstSearch);
     for (;;) {
-        if (const auto found = mTrajectories.find(count, progress); !found)
+        if (const auto found = trajectories.find(count, progress); !found)
             return fail(found.error());
-        const std::vector<double> &strengths = mTrajectories.strengths();
+        const std::vector<double> &strengths = trajectories.strengths();
         std::size_t kept = 0;
-        while (kept < std::min(most, strengths.size()) && strengths[kept] > least * step)
+        while (kept < std::min(most, strengths.size()) && strengths[kept] > least)
             ++kept;
-        if (kept < strengths.size() || mTrajectories.hasAll() || count == most)
+        if (kept < strengths.size() || trajectories.hasAll() || count == most)
             return kept;
         count = std::min(most, 2 * count);
     }
 }
 
+double ReelEncoder::stepOf(const ReelSettings &settings) const
+{
+    const double norm = std::sqrt(trajectories().energy() / double(mWhole.nodes.size()));
+    return settings.step * (norm > 0 ? norm : meanMotion());
+}
+
 Result<ReelChoice> ReelEncoder::choose(const ReelSettings &settings, const Progress &progress)
 {
-    const auto vertices = double(mVertexNodes.size());
+    const bool hasComponents = std::ranges::any_of(mComponents, [](std::uint32_t c) { return c > 0; });
+    Part *whole = &mWhole;
+    Result<ReelChoice> choice = chooseFor({&whole, 1}, {}, settings, progress.part(0, hasComponents ? 0.4 : 1));
+    if (!choice || !hasComponents)
+        return choice;
+    const Result<Clusters> clusters = findClusters(*choice, progress.part(0.4, 0.5));
+    if (!clusters)
+        return fail(clusters.error());
+    if (clusters->count < 2)
+        return choice;
+    if (const auto done = split(*clusters, progress.part(0.5, 0.6)); !done)
+        return fail(done.error());
+    std::vector<Part *> parts;
+    for (Part &part : mParts)
+        parts.push_back(&part);
+    Result<ReelChoice> split = chooseFor(parts, *clusters, settings, progress.part(0.6, 1));
+    if (!split)
+        return split;
+    const double unit = choice->parameters.step * choice->parameters.step;
+    const auto price = [&](const ReelChoice &c) { return c.squaredError / unit + BitPrice * c.bits; };
+    return price(*split) < price(*choice) ? split : choice;
+}
+
+Result<Clusters> ReelEncoder::findClusters(const ReelChoice &whole, const Progress &progress) const
+{
+    const MatrixXd basis = trajectories().basis().leftCols(Index(whole.parameters.basisSize));
+    const Result<MatrixXd> coefficients = trajectories().project(basis, trajectories().shape(), progress);
+    if (!coefficients)
+        return fail(coefficients.error());
+    std::vector<std::uint32_t> ofColumns(mComponents.size());
+    for (std::size_t node = 0; node < mComponents.size(); ++node)
+        ofColumns[mWhole.columns[node]] = mComponents[node];
+    return clustersOf(*coefficients, ofColumns, mFrames->rowCount(), whole.parameters.step);
+}
+
+Result<void> ReelEncoder::split(const Clusters &clusters, const Progress &progress)
+{
+    if (clusters.labels == mPartLabels)
+        return {};
+    mParts.clear();
+    mPartLabels = clusters.labels;
+    const auto members = nodesOf(clusters, mComponents);
+    for (const std::vector<std::uint32_t> &nodes : members) {
+        std::vector<std::uint32_t> vertices;
+        for (const std::uint32_t node : nodes)
+            vertices.push_back(inputVertex(node));
+        auto frames = std::make_unique<FrameStack>(mFrames->subset(vertices));
+        Result<Trajectories> found = Trajectories::of(*frames, trajectories().means(), progress);
+        if (!found) {
+            mPartLabels.clear();
+            return fail(found.error());
+        }
+        std::vector<std::uint32_t> columns(nodes.size());
+        std::iota(columns.begin(), columns.end(), 0u);
+        mParts.push_back(
+            {nodes, std::move(columns), restrictedTo(mWhole.nodes, nodes), std::move(frames), std::move(*found)});
+    }
+    return {};
+}
+
+Result<ReelChoice> ReelEncoder::chooseFor(std::span<Part *const> parts, const Clusters &clusters,
+                                          const ReelSettings &settings, const Progress &progress)
+{
+    const auto vertices = double(mWhole.nodes.size());
     ReelChoice choice;
+    choice.clusters = clusters;
     ReelParameters &p = choice.parameters;
     p.wantedStep = settings.step;
     p.wantedBasisSize = settings.basisSize;
-    const double norm = std::sqrt(mTrajectories.energy() / vertices);
-    p.step = settings.step * (norm > 0 ? norm : meanMotion());
+    p.step = stepOf(settings);
     p.shapeShare = ShapeShare;
     p.meanExponent = std::uint8_t(std::lround(4 * std::log2(vertices))); // step / sqrt(V)
     for (std::size_t axis = 0; axis < 3; ++axis)
-        p.origin[axis] = float(mTrajectories.means()[axis]);
+        p.origin[axis] = float(trajectories().means()[axis]);
     p.shapeRatio = ShapeRatio;
     p.basisRatio = BasisRatio;
     p.coefficientRatio = CoefficientRatio;
 
-    const Result<std::size_t> basisSize = basisSizeFor(settings, p.step, progress.part(0, 0.2));
-    if (!basisSize)
-        return fail(basisSize.error());
-    p.basisSize = std::uint32_t(*basisSize);
-    const double share = basisStep(valuesPerVertex(mFrameNodes.size(), mVertexNodes.size()));
-    for (std::size_t k = 0; k < *basisSize; ++k) {
-        const double wanted = share * settings.step / (mTrajectories.strengths()[k] / norm * std::sqrt(vertices));
-        choice.stepExponents.push_back(std::int32_t(std::lround(8 * std::log2(wanted))));
+    // The strongest first, whatever their part.
+    struct Candidate
+    {
+        double norm;
+        std::uint32_t part;
+        Index k;
+        double step; ///< in steps over the norm
+    };
+    std::vector<Candidate> kept;
+    const std::size_t most = settings.basisSize ? settings.basisSize : ReelSettings::MaxBasisSize;
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        const double share = valuesPerVertex(mFrameNodes.size(), parts[i]->nodes.size());
+        const Result<std::size_t> count = basisSizeFor(parts[i]->trajectories, most, leastStrength(share) * p.step,
+                                                       progress.part(0.2 * i / double(parts.size()), 0.2));
+        if (!count)
+            return fail(count.error());
+        const double root = std::sqrt(double(parts[i]->nodes.size()));
+        for (std::size_t k = 0; k < *count; ++k)
+            kept.push_back({parts[i]->trajectories.strengths()[k] * root, i, Index(k), basisStep(share)});
     }
+    if (parts.size() > 1)
+        std::ranges::stable_sort(kept, std::greater(), &Candidate::norm);
+    kept.resize(std::min(kept.size(), most));
+    p.basisSize = std::uint32_t(kept.size());
+    const double total = std::sqrt(trajectories().energy());
+    MatrixXd wantedBasis(Index(mFrames->rowCount()), Index(kept.size()));
+    std::vector<Index> ranks(parts.size());
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        choice.labels.push_back(kept[k].part);
+        const double wanted = kept[k].step * settings.step / (kept[k].norm / total * std::sqrt(vertices));
+        choice.stepExponents.push_back(std::int32_t(std::lround(8 * std::log2(wanted))));
+        wantedBasis.col(Index(k)) = parts[kept[k].part]->trajectories.basis().col(kept[k].k);
+        ++ranks[kept[k].part];
+    }
+    // The trajectories of one part.
+    const auto partOf = [&](const MatrixXd &basis, std::uint32_t part) {
+        MatrixXd own(basis.rows(), ranks[part]);
+        for (Index k = 0, to = 0; k < basis.cols(); ++k)
+            if (choice.labels[std::size_t(k)] == part)
+                own.col(to++) = basis.col(k);
+        return own;
+    };
 
     const auto tooLarge = [&](const char *what) {
         return fail(ErrorCode::LimitExceeded, std::string(what) + " in steps", std::to_string(MaxResidual),
@@ -204,35 +326,62 @@ Result<ReelChoice> ReelEncoder::choose(const ReelSettings &settings, const Progr
     if (!shapeFits)
         return tooLarge("position");
     progress.report(0.3);
+    std::vector<MatrixXd> shapes(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        shapes[i].resize(3, Index(parts[i]->nodes.size()));
+        for (std::size_t node = 0; node < parts[i]->nodes.size(); ++node)
+            shapes[i].col(Index(parts[i]->columns[node])) = shape.col(Index(inputVertex(parts[i]->members[node])));
+    }
 
     // The trajectories, the coefficients that fit them best as they were decoded, and once more the trajectories that
     // fit those best: 2 - 3 % of the size.
-    MatrixXd basis, coefficients;
-    if (!chooseBasis(choice, mTrajectories.basis().leftCols(Index(*basisSize)), basis))
+    MatrixXd basis;
+    if (chooseBasis(choice, wantedBasis, basis) < 0)
         return tooLarge("basis");
-    const Result<MatrixXd> projected = mTrajectories.project(basis, shape, progress.part(0.3, 0.4));
-    if (!projected)
-        return fail(projected.error());
-    const MatrixXd wanted = divided(projected->transpose(), basis.transpose() * basis).transpose();
-    if (!chooseCoefficients(choice, wanted, krigingWeights(mVertexNodes, places), coefficients,
-                            progress.part(0.4, 0.8)))
-        return progress.isCancelled() ? fail(ErrorCode::Cancelled) : tooLarge("coefficient");
-    const Result<MatrixXd> correlated = mTrajectories.correlate(coefficients, shape, progress.part(0.8, 0.95));
-    if (!correlated)
-        return fail(correlated.error());
-    const MatrixXd products = coefficients * coefficients.transpose();
-    if (!chooseBasis(choice, divided(*correlated, products), basis))
+    std::vector<MatrixXd> wanted(parts.size()), coefficients;
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        const MatrixXd own = partOf(basis, i);
+        const Result<MatrixXd> projected = parts[i]->trajectories.project(own, shapes[i], progress.part(0.3, 0.4));
+        if (!projected)
+            return fail(projected.error());
+        wanted[i] = divided(projected->transpose(), own.transpose() * own).transpose();
+    }
+    const double coefficientBits =
+        chooseCoefficients(choice, parts, wanted, places, coefficients, progress.part(0.4, 0.8));
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
+    if (coefficientBits < 0)
+        return tooLarge("coefficient");
+    std::vector<MatrixXd> correlations(parts.size());
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        Result<MatrixXd> correlated =
+            parts[i]->trajectories.correlate(coefficients[i], shapes[i], progress.part(0.8, 0.95));
+        if (!correlated)
+            return fail(correlated.error());
+        correlations[i] = std::move(*correlated);
+        const MatrixXd refitted = divided(correlations[i], coefficients[i] * coefficients[i].transpose());
+        for (Index k = 0, from = 0; k < wantedBasis.cols(); ++k)
+            if (choice.labels[std::size_t(k)] == i)
+                wantedBasis.col(k) = refitted.col(from++);
+    }
+    const double basisBits = chooseBasis(choice, wantedBasis, basis);
+    if (basisBits < 0)
         return tooLarge("basis");
+    choice.bits = basisBits + coefficientBits;
 
     // What is left in the mean over the vertices, the mean vertices can take.
-    const Eigen::VectorXd left =
-        (constantTrajectory(shape.rowwise().sum(), mFrameNodes.size()) + basis * coefficients.rowwise().sum()) /
-        -vertices;
+    Eigen::VectorXd left = constantTrajectory(shape.rowwise().sum(), mFrameNodes.size());
+    double squares = 0;
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        const MatrixXd own = partOf(basis, i);
+        left += own * coefficients[i].rowwise().sum();
+        squares += parts[i]->trajectories.energyAbout(shapes[i]) - 2 * own.cwiseProduct(correlations[i]).sum() +
+                   (coefficients[i] * coefficients[i].transpose()).cwiseProduct(own.transpose() * own).sum();
+    }
+    left /= -vertices;
     if (!chooseMeans(choice, left))
         return tooLarge("position");
-    choice.squaredError +=
-        std::max(0.0, mTrajectories.energyAbout(shape) - 2 * basis.cwiseProduct(*correlated).sum() +
-                          products.cwiseProduct(basis.transpose() * basis).sum() - vertices * left.squaredNorm());
+    choice.squaredError += std::max(0.0, squares - vertices * left.squaredNorm());
     progress.report(1);
     return choice;
 }
@@ -242,8 +391,8 @@ bool ReelEncoder::chooseShape(ReelChoice &choice, MatrixXd &decoded, std::vector
 {
     const ReelParameters &p = choice.parameters;
     Chooser chooser(ShapeBitPrice);
-    ShapeCoder coder(mVertexNodes, levelRatio(p.shapeRatio));
-    const MatrixXd wanted = mTrajectories.shape() / shapeStep(p);
+    ShapeCoder coder(mWhole.nodes, levelRatio(p.shapeRatio));
+    const MatrixXd wanted = trajectories().shape() / shapeStep(p);
     const bool whole = coder.codeAll(
         [&](ShapeCoder::Model &model, const auto &contexts, std::size_t set, std::uint32_t node,
             const ExpectedPlace &expected, std::size_t axis, double step) {
@@ -267,13 +416,14 @@ bool ReelEncoder::chooseMeans(ReelChoice &choice, const Eigen::VectorXd &left) c
 {
     const double step = meanStep(choice.parameters);
     Chooser chooser(BitPrice);
+    BandModel learned;
     BandCoder coder(mFrameNodes, krigingWeights(mFrameNodes, framePlaces(mFrameNodes)),
-                    {3, levelRatio(choice.parameters.basisRatio), TimeRidge});
+                    {3, levelRatio(choice.parameters.basisRatio), TimeRidge}, learned);
     double squares = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto wanted = [&](std::size_t node) {
             const std::size_t row = 3 * mFrameNodes.vertices[node] + axis;
-            return mTrajectories.means()[row] + left[Index(row)] - double(choice.parameters.origin[axis]);
+            return trajectories().means()[row] + left[Index(row)] - double(choice.parameters.origin[axis]);
         };
         coder.nextBand([&](BandCoder::Model &model, const auto &contexts, std::size_t set, std::uint32_t node,
                            double predicted, double level) {
@@ -286,16 +436,17 @@ bool ReelEncoder::chooseMeans(ReelChoice &choice, const Eigen::VectorXd &left) c
             squares += error * error;
         }
     }
-    choice.squaredError = squares * double(mVertexNodes.size());
+    choice.squaredError = squares * double(mWhole.nodes.size());
     return !chooser.exceeded();
 }
 
-bool ReelEncoder::chooseBasis(ReelChoice &choice, const MatrixXd &wanted, MatrixXd &decoded) const
+double ReelEncoder::chooseBasis(ReelChoice &choice, const MatrixXd &wanted, MatrixXd &decoded) const
 {
     const std::size_t rank = choice.parameters.basisSize;
     Chooser chooser(BitPrice);
+    BandModel learned;
     BandCoder coder(mFrameNodes, krigingWeights(mFrameNodes, framePlaces(mFrameNodes)),
-                    {3 * rank, levelRatio(choice.parameters.basisRatio), TimeRidge});
+                    {3 * rank, levelRatio(choice.parameters.basisRatio), TimeRidge}, learned);
     choice.basis.clear();
     decoded.resize(wanted.rows(), wanted.cols());
     for (std::size_t band = 0; band < 3 * rank; ++band) {
@@ -311,34 +462,47 @@ bool ReelEncoder::chooseBasis(ReelChoice &choice, const MatrixXd &wanted, Matrix
         for (std::size_t node = 0; node < mFrameNodes.size(); ++node)
             decoded(3 * Index(mFrameNodes.vertices[node]) + axis, k) = coder.value(node, band) * step;
     }
-    return !chooser.exceeded();
+    return chooser.exceeded() ? -1 : chooser.bits();
 }
 
-bool ReelEncoder::chooseCoefficients(ReelChoice &choice, const MatrixXd &wanted, std::vector<Weights> weights,
-                                     MatrixXd &decoded, const Progress &progress) const
+double ReelEncoder::chooseCoefficients(ReelChoice &choice, std::span<Part *const> parts,
+                                       std::span<const MatrixXd> wanted, const std::vector<Point> &places,
+                                       std::vector<MatrixXd> &decoded, const Progress &progress) const
 {
-    const std::size_t rank = choice.parameters.basisSize;
     const double step = choice.parameters.step;
     Chooser chooser(BitPrice);
-    BandCoder coder(mVertexNodes, std::move(weights),
-                    {rank, levelRatio(choice.parameters.coefficientRatio), MeshRidge});
+    BandModel learned;
+    std::vector<BandCoder> coders;
+    coders.reserve(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        std::vector<Point> own;
+        for (const std::uint32_t node : parts[i]->members)
+            own.push_back(places[node]);
+        coders.emplace_back(
+            parts[i]->nodes, krigingWeights(parts[i]->nodes, own),
+            BandSettings{std::size_t(wanted[i].rows()), levelRatio(choice.parameters.coefficientRatio), MeshRidge},
+            learned);
+        decoded.emplace_back(wanted[i].rows(), wanted[i].cols());
+    }
     choice.coefficients.clear();
-    decoded.resize(wanted.rows(), wanted.cols());
-    for (std::size_t k = 0; k < rank; ++k) {
+    for (std::size_t done = 0; const std::uint32_t label : choice.labels) {
         if (progress.isCancelled())
-            return false;
-        coder.nextBand([&](BandCoder::Model &model, const auto &contexts, std::size_t set, std::uint32_t node,
+            return -1;
+        const Part &part = *parts[label];
+        BandCoder &coder = coders[label];
+        const Index k = Index(coder.band());
+        coder.nextBand([&](BandCoder::Model &m, const auto &contexts, std::size_t set, std::uint32_t node,
                            double predicted, double level) {
-            const double value = wanted(Index(k), inputVertex(node)) / step;
-            const std::int32_t q = chooser(model, contexts, set, (value - predicted) / level);
+            const double value = wanted[label](k, part.columns[node]) / step;
+            const std::int32_t q = chooser(m, contexts, set, (value - predicted) / level);
             choice.coefficients.push_back(q);
             return q;
         });
-        for (std::size_t node = 0; node < mVertexNodes.size(); ++node)
-            decoded(Index(k), inputVertex(node)) = coder.value(node, k) * step;
-        progress.report(double(k + 1) / double(rank));
+        for (std::size_t node = 0; node < part.nodes.size(); ++node)
+            decoded[label](k, part.columns[node]) = coder.value(node, std::size_t(k)) * step;
+        progress.report(double(++done) / double(choice.labels.size()));
     }
-    return !chooser.exceeded();
+    return chooser.exceeded() ? -1 : chooser.bits();
 }
 
 } // namespace model::codec

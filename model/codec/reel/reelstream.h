@@ -17,6 +17,8 @@ inline constexpr std::string_view ReelParametersTag = "REEL";
 inline constexpr std::string_view ReelConnectivityTag = "CLRS";
 /// Only where the order of the vertices was kept.
 inline constexpr std::string_view ReelOrderTag = "ORDR";
+/// Only where there are several.
+inline constexpr std::string_view ReelClustersTag = "PART";
 inline constexpr std::string_view ReelShapeTag = "SHAP";
 inline constexpr std::string_view ReelBandsTag = "BAND";
 
@@ -49,16 +51,14 @@ template <class Stream, class Fields>
 bool reelSyntax(Stream &s, Fields &p, const Header &header) // FORMAT.md 13.1
 {
     constexpr double Least = 1e-100, Most = 1e100;
-    const std::uint64_t most =
-        std::min<std::uint64_t>({1000, header.vertexCount, std::uint64_t(3) * header.frameCount});
+    const std::uint64_t most = std::min<std::uint64_t>(1000, header.vertexCount);
     return s.f64(p.wantedStep) && s.requireReal(p.wantedStep, MinStep, MaxStep, "wanted step") &&
            s.varUint(p.wantedBasisSize) &&
            s.require(p.wantedBasisSize <= ReelSettings::MaxBasisSize, "wanted basis size", p.wantedBasisSize,
                      "0 ... 1000") &&
            s.f64(p.step) && s.requireReal(p.step, Least, Most, "step") && s.u8(p.shapeShare) && s.u8(p.meanExponent) &&
            originSyntax(s, p.origin) && s.u8(p.shapeRatio) && s.u8(p.basisRatio) && s.u8(p.coefficientRatio) &&
-           s.varUint(p.basisSize) &&
-           s.require(p.basisSize <= most, "basis size", p.basisSize, "0 ... 1000, vertices, 3 x frames");
+           s.varUint(p.basisSize) && s.require(p.basisSize <= most, "basis size", p.basisSize, "0 ... 1000, vertices");
 }
 
 inline double levelRatio(std::uint8_t stored)

@@ -6,9 +6,13 @@
 #include "model/codec/gram.h"
 #include "model/codec/kernels.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <random>
 
 namespace model::codec {
 
@@ -23,6 +27,10 @@ constexpr std::size_t BlockColumns = 256;
 constexpr std::size_t Parts = 16;
 // Weaker trajectories than this part of the strongest are what floats left over.
 constexpr double NoiseLevel = 1e-6;
+// Of a search without a Gram matrix: columns beyond those that are wanted, and how often the animation is applied. More
+// passes made no file smaller.
+constexpr std::size_t BlockMargin = 16;
+constexpr int BlockPasses = 4;
 
 /// The sums of each axis over the frames, over sqrt(F): the products with the three constant unit trajectories.
 template <class Derived>
@@ -47,10 +55,10 @@ void removeConstants(Eigen::MatrixBase<Derived> &trajectories)
 
 } // namespace
 
-Result<Trajectories> Trajectories::of(const FrameStack &frames, const Progress &progress)
+Result<Trajectories> Trajectories::of(const FrameStack &frames, std::vector<double> means, const Progress &progress)
 {
     Trajectories result(frames);
-    result.mMeans = frames.rowMeans();
+    result.mMeans = std::move(means);
     const std::size_t vertices = frames.vertexCount();
     result.mShape.resize(3, Index(vertices));
     const std::size_t blocks = (vertices + BlockColumns - 1) / BlockColumns;
@@ -105,13 +113,7 @@ Result<void> Trajectories::find(std::size_t count, const Progress &progress)
     if (mGram.size() > 0) {
         found = strongestEigenvectors(mGram, count, progress.part(0, 0.6));
     } else {
-        const MatrixProduct apply = [&](const Eigen::VectorXd &in, Eigen::VectorXd &out) {
-            Eigen::VectorXd moving = in;
-            removeConstants(moving);
-            applyGram(*mFrames, mMeans, moving, out, progress);
-            removeConstants(out);
-        };
-        found = strongestEigenvectors(apply, mFrames->rowCount(), count, progress.part(0, 0.6));
+        found = findByBlocks(count, progress.part(0, 0.6));
     }
     if (!found)
         return fail(std::move(found).error());
@@ -141,6 +143,51 @@ Result<void> Trajectories::find(std::size_t count, const Progress &progress)
     for (Index k = 0; k < kept; ++k)
         mStrengths.push_back(std::sqrt(coefficients->row(k).squaredNorm() / mFrames->vertexCount()));
     return {};
+}
+
+// Based on:
+// - N. Halko, P. G. Martinsson, J. A. Tropp: Finding Structure with Randomness, 2011 (algorithm 4.4)
+// Differs: what an earlier search found is part of the first block.
+Result<MatrixXd> Trajectories::findByBlocks(std::size_t count, const Progress &progress) const
+{
+    const std::size_t most = std::min<std::size_t>(mFrames->rowCount(), mFrames->vertexCount());
+    const std::size_t width = std::min(most, count + BlockMargin);
+    MatrixXd block(Index(mFrames->rowCount()), Index(width));
+    std::minstd_rand random; // the same numbers every time, and everywhere
+    for (Index k = 0; k < block.cols(); ++k) {
+        if (k < mBasis.cols()) {
+            block.col(k) = mBasis.col(k);
+            continue;
+        }
+        for (Index row = 0; row < block.rows(); ++row)
+            block(row, k) = double(random()) / double(std::minstd_rand::max()) - 0.5;
+    }
+    const auto orthonormalize = [&] {
+        removeConstants(block);
+        const Eigen::HouseholderQR<MatrixXd> qr(block);
+        block = qr.householderQ() * MatrixXd::Identity(block.rows(), block.cols());
+    };
+    orthonormalize();
+    for (int pass = 0; pass < BlockPasses; ++pass) {
+        const Progress part = progress.part(pass / double(BlockPasses + 1), (pass + 1) / double(BlockPasses + 1));
+        const Result<MatrixXd> coefficients = project(block, mShape, part.part(0, 0.4));
+        if (!coefficients)
+            return fail(coefficients.error());
+        Result<MatrixXd> next = correlate(*coefficients, mShape, part.part(0.4, 0.8));
+        if (!next)
+            return fail(std::move(next).error());
+        block = std::move(*next);
+        orthonormalize();
+    }
+    const Result<MatrixXd> coefficients = project(block, mShape, progress.part(1 - 1.0 / (BlockPasses + 1), 1));
+    if (!coefficients)
+        return fail(coefficients.error());
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(*coefficients * coefficients->transpose());
+    const double strongest = std::max(solver.eigenvalues()[block.cols() - 1], 0.0);
+    Index kept = 0;
+    while (kept < Index(count) && solver.eigenvalues()[block.cols() - 1 - kept] > NoiseLevel * NoiseLevel * strongest)
+        ++kept;
+    return MatrixXd(block * solver.eigenvectors().rightCols(kept).rowwise().reverse());
 }
 
 Result<MatrixXd> Trajectories::project(const MatrixXd &basis, const MatrixXd &shape, const Progress &progress) const

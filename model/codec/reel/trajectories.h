@@ -16,8 +16,9 @@ namespace model::codec {
 class Trajectories
 {
 public:
-    /// \param frames  outlives the result. \error Cancelled
-    static Result<Trajectories> of(const FrameStack &frames, const Progress &progress);
+    /// \param frames  outlives the result
+    /// \param means   of all vertices, where `frames` has only some of them: #3F. \error Cancelled
+    static Result<Trajectories> of(const FrameStack &frames, std::vector<double> means, const Progress &progress);
 
     const std::vector<double> &means() const { return mMeans; } ///< #3F
     /// Rest shape times sqrt(F), so that it weighs as the coefficients of an orthonormal basis do: 3 x #V.
@@ -48,6 +49,8 @@ private:
         : mFrames(&frames)
     {}
     Result<void> findGram(const Progress &progress);
+    /// The strongest trajectories of an animation whose Gram matrix is too large.
+    Result<Eigen::MatrixXd> findByBlocks(std::size_t count, const Progress &progress) const;
 
     const FrameStack *mFrames;
     std::vector<double> mMeans;

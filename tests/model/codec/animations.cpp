@@ -48,6 +48,26 @@ PlainAnimation waves(std::uint32_t frames, std::uint32_t vertices, unsigned mode
             }};
 }
 
+PlainAnimation flock(std::uint32_t frames, std::uint32_t bodies, std::uint32_t vertices)
+{
+    std::vector<model::Triangle> triangles;
+    for (std::uint32_t body = 0; body < bodies; ++body)
+        for (model::Triangle t : strip(vertices)) {
+            for (std::uint32_t &v : t)
+                v += body * vertices;
+            triangles.push_back(t);
+        }
+    return {frames, bodies * vertices, triangles, [=](std::uint32_t f, std::uint32_t v) {
+                const double body = v / vertices, i = v % vertices;
+                const double t = double(f) / frames, own = 1.7 * body;
+                const double flap = std::sin((9 + 3.1 * body) * t + own) * std::pow(i / vertices - 0.5, 2);
+                const double twist = std::sin((5 + 2.3 * body) * t * t + own) * (v % 2);
+                const double wave = std::cos((14 + body) * t + 7 * i / vertices + own) * 0.3;
+                return Vec3f{float(3 * body + 0.1 * i + 0.2 * twist), float(2 * flap + 0.5 * wave),
+                             float(0.4 * (v % 2) + 0.3 * wave * twist)};
+            }};
+}
+
 std::vector<NamedAnimation> animationTable()
 {
     std::vector<NamedAnimation> table;
@@ -55,6 +75,7 @@ std::vector<NamedAnimation> animationTable()
         table.push_back({std::move(name), std::make_shared<PlainAnimation>(std::move(animation))});
     };
     add("wave", waves(20, 200, 8));
+    add("flock", flock(20, 4, 60));
     add("fewer vertices than rows", waves(40, 17, 8));
     add("one vertex", waves(12, 1, 4));
     add("one frame", waves(1, 50, 4));

@@ -42,6 +42,9 @@ std::vector<model::Triangle> strip(std::uint32_t vertices);
 /// A soft sheet whose bending, swaying and turning has about `modes` + 3 independent motions; the same every time.
 PlainAnimation waves(std::uint32_t frames, std::uint32_t vertices, unsigned modes);
 
+/// Strips of triangles of `vertices` each that move each in its own way; the same every time.
+PlainAnimation flock(std::uint32_t frames, std::uint32_t bodies, std::uint32_t vertices);
+
 struct NamedAnimation
 {
     std::string name;

@@ -85,6 +85,7 @@ const std::vector<NamedFile> &reelFiles()
             {"no trajectories", encoded(gliding, ReelSettings{0.01, 0})},
             {"one vertex", encoded(point, ReelSettings{0.01, 0})},
             {"coarse", encoded(tests::waves(40, 300, 12), ReelSettings{0.05, 0})},
+            {"golden, clusters", golden("reel-parts-1.0.anim")},
         };
     }();
     return files;

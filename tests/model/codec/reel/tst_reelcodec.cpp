@@ -208,14 +208,17 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<double>("step");
+        QTest::addColumn<int>("strips");
         QTest::addColumn<QList<int>>("frames"); // that the text has
-        QTest::newRow("1.0") << "reel-1.0" << 0.01 << QList{0, 1, 2, 3, 4};
-        QTest::newRow("1.0, nine trajectories") << "reel-learned-1.0" << 0.0005 << QList{0, 11, 23};
+        QTest::newRow("1.0") << "reel-1.0" << 0.01 << 1 << QList{0, 1, 2, 3, 4};
+        QTest::newRow("1.0, nine trajectories") << "reel-learned-1.0" << 0.0005 << 1 << QList{0, 11, 23};
+        QTest::newRow("1.0, clusters") << "reel-parts-1.0" << 0.0005 << 4 << QList{0, 7, 23};
     }
     void goldenFilesDecode()
     {
         QFETCH(QString, name);
         QFETCH(double, step);
+        QFETCH(int, strips);
         QFETCH(QList<int>, frames);
         QFile file(QStringLiteral(SANDREEL_SOURCE "/tests/data/anim/") + name + ".anim");
         QFile text(QStringLiteral(SANDREEL_SOURCE "/tests/data/anim/") + name + ".txt");
@@ -225,7 +228,7 @@ private slots:
         QVERIFY(decoded.has_value());
         QVERIFY((*decoded)->settings() == settingsOf(step));
         QCOMPARE((*decoded)->name(), std::string("plain"));
-        QCOMPARE((*decoded)->connectivity().triangles.size(), std::size_t((*decoded)->vertexCount() - 2)); // a strip
+        QCOMPARE(int((*decoded)->connectivity().triangles.size()), int((*decoded)->vertexCount()) - 2 * strips);
         const QList<QByteArray> numbers = text.readAll().replace(',', ' ').simplified().split(' ');
         qsizetype i = 0;
         for (const int f : frames)
