@@ -116,7 +116,9 @@ model::Result<void> Encode::run(Console &console) const
         text << QStringLiteral("Settings: %1").arg(fromUtf8(model::settingsText(*settings)));
 
     if (measure) {
-        const auto decoded = model::codec::decodeAnimation(encoded->bytes, console.progress("Decoding"));
+        const auto decoded =
+            model::codec::decodeAnimation(encoded->bytes, console.progress("Decoding"),
+                                          model::codec::DecodeLimits::ofThisMachine(encoded->bytes.size()));
         if (!decoded)
             return model::fail(decoded.error());
         const auto lost =

@@ -28,7 +28,8 @@ model::Result<Saved> saveToFile(const model::FrameSource &frames, const model::C
         return model::fail(std::move(written.error()));
     const FileStamp stamp = FileStamp::of(path);
     // From here on the file is there: what follows is told even if a cancel comes.
-    auto decoded = model::codec::decodeAnimation(std::move(encoded->bytes));
+    const auto limits = model::codec::DecodeLimits::ofThisMachine(encoded->bytes.size());
+    auto decoded = model::codec::decodeAnimation(std::move(encoded->bytes), model::Progress(), limits);
     if (!decoded)
         return model::fail(std::move(decoded.error()).in(path.toStdString()));
     return Saved{views::factsOf(**decoded), stamp};

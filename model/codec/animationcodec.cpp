@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/animationcodec.h"
 
+#include "model/base/memory.h"
+
 #include "model/animation/settingsfields.h"
 #include "model/codec/coddyac/coddyaccodec.h"
 #include "model/codec/container.h"
@@ -85,6 +87,11 @@ Result<EncodedAnimation> encodeAnimation(const FrameSource &source, const Compre
     if (const auto *coddyac = std::get_if<CoddyacSettings>(&settings.method))
         return encodeCoddyac(source, *coddyac, settings.keepOrder, progress);
     return fail(ErrorCode::UnknownCodec, std::to_string(int(settings.codec())));
+}
+
+DecodeLimits DecodeLimits::ofThisMachine(std::uint64_t fileSize)
+{
+    return {std::max(DecodeLimits().bytesFor(fileSize), physicalMemory() / 2)};
 }
 
 Result<std::shared_ptr<const DecodedAnimation>> decodeAnimation(Bytes file, const Progress &progress,

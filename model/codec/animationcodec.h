@@ -70,6 +70,10 @@ struct DecodeLimits
     /// Most memory of the opened animation, bytes; 0: 64 MiB and 64 bytes for each byte of the file.
     std::uint64_t memoryBytes = 0;
 
+    /// For files that somebody chose to open, and for those that were just written: half of this machine's memory,
+    /// where that is more. A good file may be small beside what it holds.
+    static DecodeLimits ofThisMachine(std::uint64_t fileSize);
+
     std::uint64_t bytesFor(std::uint64_t fileSize) const
     {
         return memoryBytes ? memoryBytes : (std::uint64_t(64) << 20) + 64 * fileSize;

@@ -17,7 +17,8 @@ Result<std::shared_ptr<const codec::DecodedAnimation>> openAnim(const QString &p
     Result<Bytes> bytes = readBytes(path, progress);
     if (!bytes)
         return fail(std::move(bytes.error()));
-    auto decoded = codec::decodeAnimation(std::move(*bytes), progress);
+    const auto limits = codec::DecodeLimits::ofThisMachine(bytes->size());
+    auto decoded = codec::decodeAnimation(std::move(*bytes), progress, limits);
     if (!decoded)
         return failIn(path, std::move(decoded.error()));
     return decoded;
@@ -29,7 +30,7 @@ Result<AnimPrefix> openAnimPrefix(const QString &path, std::uint64_t byteCount, 
     if (!bytes)
         return fail(bytes.error());
     const std::uint64_t count = std::min<std::uint64_t>(byteCount, bytes->size());
-    codec::ProgressiveReader reader;
+    codec::ProgressiveReader reader(codec::DecodeLimits::ofThisMachine(bytes->size()));
     if (auto read = reader.append(std::span(*bytes).first(std::size_t(count)), progress); !read)
         return failIn(path, std::move(read.error()));
     if (reader.isPlayable())

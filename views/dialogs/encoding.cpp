@@ -38,7 +38,8 @@ Result<EncodingReport> encodeToFile(const EncodingOrder &order, const Progress &
     EncodingReport report;
     report.encodingSeconds = double(clock.elapsed()) / 1000;
 
-    const auto decoded = codec::decodeAnimation(encoded->bytes, progress.part(EncodedAt, DecodedAt));
+    const auto decoded = codec::decodeAnimation(encoded->bytes, progress.part(EncodedAt, DecodedAt),
+                                                codec::DecodeLimits::ofThisMachine(encoded->bytes.size()));
     if (!decoded)
         return fail(decoded.error());
     auto errors = compareAnimations(edited, **decoded, encoded->permutation, progress.part(DecodedAt, 1));

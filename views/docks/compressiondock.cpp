@@ -232,7 +232,8 @@ model::Result<CompressionDock::Measurement> CompressionDock::measured(const mode
     auto encoded = model::codec::encodeAnimation(frames, settings, progress.part(0, 0.7));
     if (!encoded)
         return model::fail(std::move(encoded.error()));
-    const auto decoded = model::codec::decodeAnimation(std::move(encoded->bytes), progress.part(0.7, 0.75));
+    const auto limits = model::codec::DecodeLimits::ofThisMachine(encoded->bytes.size());
+    const auto decoded = model::codec::decodeAnimation(std::move(encoded->bytes), progress.part(0.7, 0.75), limits);
     if (!decoded)
         return model::fail(decoded.error());
     auto errors = model::compareAnimations(frames, **decoded, encoded->permutation, progress.part(0.75, 1));

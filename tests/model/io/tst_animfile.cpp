@@ -2,6 +2,8 @@
 #include "model/io/animfile.h"
 
 #include "model/animation/editedframes.h"
+#include "model/animation/sequence.h"
+#include "model/codec/animationcodec.h"
 #include "tests/model/io/iotest.h"
 #include "tests/support/testmain.h"
 
@@ -68,6 +70,20 @@ private slots:
         tests::put(path("secret"), "x");
         QVERIFY(QFile::setPermissions(path("secret"), {}));
         SANDREEL_COMPARE_ERROR(readBytes(path("secret")), ErrorCode::CannotOpen);
+    }
+
+    void aLargeMeshInASmallFileOpens()
+    {
+        // 64 MiB and 64 bytes for each byte of the file would not do for so many vertices.
+        constexpr std::uint32_t VertexCount = 200'000;
+        Connectivity connectivity;
+        connectivity.vertexCount = VertexCount;
+        const Sequence still(std::move(connectivity), std::vector<Vec3f>(VertexCount));
+        const auto encoded = codec::encodeAnimation(still, CompressionSettings());
+        QVERIFY(encoded.has_value());
+        QCOMPARE(int(codec::decodeAnimation(encoded->bytes).error().code), int(ErrorCode::LimitExceeded));
+        QVERIFY(saveBytes(path("large.anim"), encoded->bytes).has_value());
+        QVERIFY(openAnim(path("large.anim"), Progress()).has_value());
     }
 
     void failedSaveLeavesTheOldFile()
