@@ -112,7 +112,11 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeAnimation(Bytes file, cons
     default:
         break;
     }
-    return fail(ErrorCode::UnknownCodec, std::to_string(container->header.codec));
+    return fail(Error{ErrorCode::UnknownCodec,
+                      {std::to_string(container->header.codec)},
+                      {},
+                      Error::None,
+                      container->chunks.front().offset});
 }
 
 Result<Bytes> withNameAndRate(const Bytes &file, const std::string &name, double frameRate)

@@ -58,7 +58,8 @@ public:
         const std::uint64_t expected = (2 * lane.magnitude + lane.older + mLast) / 2;
         const std::int64_t residual =
             codeInteger(coder, mModels, sizeContext(expected), signContext(lane.residual), value - lane.value);
-        lane.value += residual;
+        // What leaves 64 bits comes back at the other end of them, where no value is allowed.
+        lane.value = std::int64_t(std::uint64_t(lane.value) + std::uint64_t(residual));
         lane.residual = residual;
         lane.older = lane.magnitude;
         lane.magnitude = magnitudeOf(residual);
@@ -178,6 +179,7 @@ Result<std::vector<std::int64_t>> decodeMeans(const Chunk &chunk, std::size_t co
     RangeDecoder coder(chunk.payload);
     const auto model = std::make_unique<WideModel>(3);
     std::vector<std::int64_t> values;
+    values.reserve(count);
     bool good = true;
     for (std::size_t i = 0; i < count && good; ++i) {
         values.push_back(model->code(coder));

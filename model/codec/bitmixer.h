@@ -106,7 +106,9 @@ public:
     {
         const std::int64_t error = std::int64_t(bit << 16) - std::int64_t(mProbability);
         for (std::size_t i = 0; i < Inputs; ++i)
-            mWeights[mSet][i] += std::int32_t(mStretched[i] * error * Rate >> RateBits);
+            // After some 2^29 certain decisions a weight starts again from the other end.
+            mWeights[mSet][i] = std::int32_t(std::uint32_t(mWeights[mSet][i]) +
+                                             std::uint32_t(mStretched[i] * error * Rate >> RateBits));
     }
 
     const std::array<std::int32_t, Inputs> &weights(std::size_t set) const { return mWeights[set]; }

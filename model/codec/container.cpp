@@ -162,7 +162,7 @@ Result<Chunk> Container::only(std::string_view tag) const
     const auto hasTag = [&](const Chunk &chunk) { return chunk.tag == tag; };
     const auto first = std::find_if(chunks.begin(), chunks.end(), hasTag);
     if (first == chunks.end())
-        return fail(ErrorCode::MissingChunk, std::string(tag));
+        return fail(Error{ErrorCode::MissingChunk, {std::string(tag)}, {}, Error::None, chunks.back().offset});
     const auto second = std::find_if(first + 1, chunks.end(), hasTag);
     if (second != chunks.end())
         return fail(Error{ErrorCode::DuplicateChunk, {std::string(tag)}, {}, Error::None, second->offset});

@@ -5,6 +5,7 @@
 #include "model/codec/bandstage.h"
 #include "model/codec/framestack.h"
 #include "model/codec/indexstage.h"
+#include "model/codec/memorylimit.h"
 #include "model/codec/principalbasis.h"
 #include "model/codec/productanimation.h"
 #include "model/codec/syntax.h"
@@ -127,8 +128,8 @@ Result<std::shared_ptr<const DecodedAnimation>> decodePca(Bytes file, const Cont
     if (!reader.requireEnd())
         return fail(reader.error());
     const std::uint64_t needed = ProductAnimation::neededBytes(header, parameters.rank) + file.size();
-    if (const std::uint64_t limit = limits.bytesFor(file.size()); needed > limit)
-        return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(limit));
+    if (const auto enough = requireMemory(container.chunks.front(), needed, limits.bytesFor(file.size())); !enough)
+        return fail(enough.error());
 
     const PcaSettings settings{parameters.wantedBasisSize, parameters.resolution};
     const auto animation =
@@ -152,6 +153,8 @@ Result<std::shared_ptr<const DecodedAnimation>> decodePca(Bytes file, const Cont
                     [&](std::uint32_t k, auto row) { animation->setCoefficientRow(k, row, settings.resolution); });
     if (!coefficients)
         return fail(coefficients.error());
+    if (!animation->isBounded())
+        return fail(Error{ErrorCode::CorruptStream, {"coefficients"}, {}, Error::None, chunks[4].offset});
     animation->setFile(std::move(file), digest);
     progress.report(1);
     return animation;

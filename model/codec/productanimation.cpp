@@ -3,6 +3,9 @@
 
 #include "model/codec/kernels.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace model::codec {
 
 namespace {
@@ -52,6 +55,23 @@ void ProductAnimation::setCoefficientRow(std::uint32_t k, std::span<const std::i
     const double step = 1 / perUnit;
     for (std::size_t vertex = 0; vertex < quantized.size(); ++vertex)
         setCoefficient(k, vertex, quantized[vertex] * step);
+}
+
+bool ProductAnimation::isBounded() const
+{
+    std::vector<double> largest(mRank); // coefficient of each trajectory
+    for (std::size_t i = 0; i < mTiles.size(); ++i) {
+        double &most = largest[i / TileVertices % mRank];
+        most = std::max(most, std::fabs(double(mTiles[i])));
+    }
+    for (std::size_t row = 0; row < mMeans.size(); ++row) {
+        double sum = std::fabs(mMeans[row]);
+        for (std::size_t k = 0; k < mRank; ++k)
+            sum += std::fabs(double(mBasis[row * mRank + k])) * largest[k];
+        if (!(sum <= MostCoordinate)) // also of infinity times 0
+            return false;
+    }
+    return true;
 }
 
 void ProductAnimation::positions(std::uint32_t frame, std::span<Vec3f> out) const

@@ -4,7 +4,12 @@
 #include "model/codec/animationcodec.h"
 #include "model/codec/container.h"
 
+#include <limits>
+
 namespace model::codec {
+
+/// Sums of magnitudes up to it do not overflow a float, however they are rounded on the way.
+inline constexpr double MostCoordinate = 0.999 * double(std::numeric_limits<float>::max());
 
 /// An opened animation that is a product of basis and coefficients: each frame is its mean vertex plus the sum over k
 /// of its three entries of trajectory k times the vertex's coefficient k.
@@ -37,6 +42,9 @@ public:
     double mean(std::size_t row) const { return mMeans[row]; }
     float basis(std::uint32_t k, std::size_t row) const { return mBasis[row * mRank + k]; }
     float coefficient(std::uint32_t k, std::size_t vertex) const;
+
+    /// Whether no position can overflow a float. Once everything is set. O((F + V) rank)
+    bool isBounded() const;
 
     std::uint32_t frameCount() const override { return mHeader.frameCount; }
     const Connectivity &connectivity() const override { return mConnectivity; }

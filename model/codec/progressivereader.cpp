@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/progressivereader.h"
 
+#include "model/codec/memorylimit.h"
 #include "model/codec/reel/reeldecoder.h"
 
 #include <algorithm>
@@ -85,7 +86,8 @@ Result<void> ProgressiveReader::read(std::span<const std::uint8_t> piece, const 
     if (!header())
         return {};
     if (std::ranges::find(availableCodecs(), CodecId(header()->codec)) == availableCodecs().end())
-        return fail(ErrorCode::UnknownCodec, std::to_string(header()->codec));
+        return fail(
+            Error{ErrorCode::UnknownCodec, {std::to_string(header()->codec)}, {}, Error::None, mFile.chunk(0).offset});
     if (isReel()) {
         if (const auto sorted = sortChunks(); !sorted)
             return sorted;
@@ -161,13 +163,11 @@ Result<void> ProgressiveReader::readConnectivity(const Progress &progress)
         return {};
     const Chunk triangles = chunk(Triangles);
     const std::uint64_t limit = mLimits.bytesFor(mBytesRead);
-    const std::uint64_t needed = mReel->neededBytes() + mBytesRead;
-    if (needed > limit && mayGrow)
-        return {};
-    if (needed > limit)
-        return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(limit));
-    const auto read = mReel->readConnectivity(
-        triangles, mayGrow ? mLimits.bytesFor(triangles.offset + triangles.payload.size()) : limit, progress);
+    if (const auto enough = requireMemory(mFile.chunk(0), mReel->neededBytes() + mBytesRead, limit); !enough)
+        return mayGrow ? Result<void>() : enough;
+    const std::uint64_t end = triangles.offset + triangles.payload.size();
+    const std::uint64_t bytes = mayGrow ? end : mBytesRead;
+    const auto read = mReel->readConnectivity(triangles, mLimits.bytesFor(bytes) - bytes - WorkingMemory, progress);
     mWaitsForEnd = mayGrow && !read && read.error().code == ErrorCode::LimitExceeded;
     if (mWaitsForEnd)
         return {};
@@ -181,7 +181,11 @@ Result<std::shared_ptr<const DecodedAnimation>> ProgressiveReader::complete(cons
         return decodeAnimation(mFile.takeFile(), progress, mLimits);
     for (const Part part : {Parameters, Triangles, Shape, Bands})
         if (!has(part))
-            return fail(ErrorCode::MissingChunk, std::string(PartTags[part]));
+            return fail(Error{ErrorCode::MissingChunk,
+                              {std::string(PartTags[part])},
+                              {},
+                              Error::None,
+                              mFile.chunk(mFile.chunkCount() - 1).offset});
     Container container{*header(), {}};
     for (std::size_t i = 0; i < mFile.chunkCount(); ++i)
         container.chunks.push_back(mFile.chunk(i));

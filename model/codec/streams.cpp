@@ -22,6 +22,8 @@ std::vector<StreamView> readStreams(ByteReader &in, std::uint64_t count)
     // Each length takes at least one byte.
     if (!in.require(count <= in.left(), "stream count", count, "at most the bytes left"))
         return {};
+    lengths.reserve(count);
+    streams.reserve(count);
     for (std::uint64_t i = 0; i < count; ++i)
         lengths.push_back(in.varUint());
     for (const std::uint64_t length : lengths) {

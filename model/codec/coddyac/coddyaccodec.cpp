@@ -7,6 +7,7 @@
 #include "model/codec/coddyac/lanestage.h"
 #include "model/codec/coddyac/parallelogramstage.h"
 #include "model/codec/connectivity/vertexorder.h"
+#include "model/codec/memorylimit.h"
 #include "model/codec/productanimation.h"
 
 namespace model::codec {
@@ -57,8 +58,8 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeCoddyac(Bytes file, const 
     const std::uint64_t limit = limits.bytesFor(file.size());
     const std::uint64_t needed = ProductAnimation::neededBytes(header, parameters.rank) + file.size() +
                                  header.vertexCount * ScratchPerVertex + header.frameCount * ScratchPerFrame;
-    if (needed > limit)
-        return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(limit));
+    if (const auto enough = requireMemory(container.chunks.front(), needed, limit); !enough)
+        return fail(enough.error());
 
     Result<CodedConnectivity> coded =
         decodeConnectivity(chunks[1], header.vertexCount, header.triangleCount, limit - needed, progress.part(0, 0.2));
@@ -101,6 +102,8 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeCoddyac(Bytes file, const 
         });
     if (!coefficients)
         return fail(coefficients.error());
+    if (!animation->isBounded())
+        return fail(Error{ErrorCode::CorruptStream, {"coefficients"}, {}, Error::None, chunks[4].offset});
     animation->setFile(std::move(file), digest);
     progress.report(1);
     return animation;

@@ -19,7 +19,8 @@ namespace {
 class WeldModel
 {
 public:
-    /// \param first  the vertex that this one is welded to, or `count` if it is a new one
+    /// \param wanted  the vertex that this one is welded to, or `count` if it is a new one
+    /// \returns       the same; more than `count` if the stream is corrupt
     template <class Coder>
     std::uint32_t code(Coder &coder, std::uint32_t count, std::uint32_t wanted)
     {
@@ -27,7 +28,10 @@ public:
         if (!mWasCopy)
             return count;
         const std::int64_t step = codeInteger(coder, mSteps, 0, 0, std::int64_t(wanted) - std::int64_t(mLast));
-        mLast = std::uint32_t(std::int64_t(mLast) + step);
+        const std::uint64_t vertex = std::uint64_t(mLast) + std::uint64_t(step);
+        if (vertex >= count)
+            return count + 1;
+        mLast = std::uint32_t(vertex);
         return mLast;
     }
 
@@ -132,21 +136,25 @@ Result<CodedConnectivity> decodeConnectivity(const Chunk &chunk, std::uint32_t v
         return fail(Error{ErrorCode::CorruptStream, {"connectivity"}, {}, Error::None, chunk.offset});
     };
     const auto tooLarge = [&](std::uint64_t needed) {
-        return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(memoryLimit));
+        return fail(Error{ErrorCode::LimitExceeded,
+                          {"memory", std::to_string(needed), std::to_string(memoryLimit)},
+                          {},
+                          Error::None,
+                          chunk.offset});
     };
-    // Both meshes, and the neighbours of the vertices.
-    const std::uint64_t fixed = std::uint64_t(triangleCount) * (24 + sizeof(Triangle)) +
-                                std::uint64_t(vertexCount) * (sizeof(VertexNeighbours) + 1);
+    // Both meshes and what is turned, and the neighbours of the vertices and their names.
+    const std::uint64_t fixed = std::uint64_t(triangleCount) * (24 + sizeof(Triangle) + 1) +
+                                std::uint64_t(vertexCount) * (sizeof(VertexNeighbours) + 1 + sizeof(std::uint32_t));
     if (triangleCount > MaxCodedTriangles || fixed > memoryLimit)
         return tooLarge(fixed);
 
     RangeDecoder coder(chunk.payload);
     NoSource source;
-    EdgeBreaker walk(coder, source, triangleCount, vertexCount, (memoryLimit - fixed) / (2 * sizeof(LoopEdge)));
+    EdgeBreaker walk(coder, source, triangleCount, vertexCount, memoryLimit - fixed);
     if (!walk.run(progress.part(0, 0.9)))
-        return progress.isCancelled()    ? fail(ErrorCode::Cancelled)
-               : walk.edgeLimitReached() ? tooLarge(memoryLimit + 1)
-                                         : corrupt();
+        return progress.isCancelled()      ? fail(ErrorCode::Cancelled)
+               : walk.memoryLimitReached() ? tooLarge(memoryLimit + 1)
+                                           : corrupt();
 
     std::vector<std::uint32_t> welded;
     WeldModel model;
@@ -154,6 +162,7 @@ Result<CodedConnectivity> decodeConnectivity(const Chunk &chunk, std::uint32_t v
     std::uint32_t usedCount = std::uint32_t(walk.mNeighbours.size());
     if (coder.bit(hasCopies)) {
         usedCount = 0;
+        welded.reserve(walk.mNeighbours.size());
         for (std::size_t i = 0; i < walk.mNeighbours.size(); ++i) {
             welded.push_back(model.code(coder, usedCount, 0));
             if (welded.back() > usedCount)

@@ -27,14 +27,15 @@ template <class Coder, class Source>
 class EdgeBreaker
 {
 public:
-    /// \param vertexCount  about: room for so many is made at once
-    /// \param maxEdges     of all loops at a time: bounds the memory
+    /// \param vertexCount  about: room for so many is made at once; a mesh that was cut has more
+    /// \param memoryLimit  bytes for those that are more, for open edges and for what waits
     EdgeBreaker(Coder &coder, Source &source, std::uint32_t triangleCount, std::uint32_t vertexCount,
-                std::uint64_t maxEdges)
+                std::uint64_t memoryLimit)
         : mCoder(coder)
         , mSource(source)
         , mTriangleCount(triangleCount)
-        , mMaxEdges(maxEdges)
+        , mVertexRoom(vertexCount)
+        , mMemoryLimit(memoryLimit)
         , mStepsLeft(FirstSteps + StepsPerTriangle * std::int64_t(triangleCount))
     {
         mVertices.resize(3 * std::size_t(mTriangleCount));
@@ -50,6 +51,8 @@ public:
         if (mHolesLeft > mTriangleCount * std::uint64_t(3) / 2) // each has two edges at least
             return false;
         mHasFlips = mCoder.bit(mHasFlipsModel, mSource.hasFlips());
+        if (mHasFlips)
+            mFlipped.reserve(mTriangleCount);
         while (doneCount() < mTriangleCount) {
             if (!component(progress))
                 return false;
@@ -62,7 +65,7 @@ public:
     std::vector<Corner> mOpposites;
     std::vector<bool> mFlipped;
     std::vector<VertexNeighbours> mNeighbours;
-    bool edgeLimitReached() const { return mEdgeLimitReached; }
+    bool memoryLimitReached() const { return mMemoryLimitReached; }
 
 private:
     static constexpr std::uint32_t CancelInterval = 4096; // triangles
@@ -196,12 +199,20 @@ private:
         // Each open edge needs a side of a triangle that is still to come.
         if (open > 3 * std::uint64_t(mTriangleCount - doneCount()))
             return false;
-        mEdgeLimitReached = open > mMaxEdges;
-        return !mEdgeLimitReached;
+        // A vector that grows holds up to three times its values. Each new edge may have a new vertex.
+        constexpr std::uint64_t Growing = 3, VertexBytes = sizeof(VertexNeighbours) + sizeof(std::uint8_t);
+        const std::uint64_t vertices = mNeighbours.size() + more;
+        const std::uint64_t bytes =
+            Growing * ((mEdges.size() + more) * sizeof(LoopEdge) + (mStack.size() + 1) * sizeof(Waiting) +
+                       (vertices > mVertexRoom ? vertices * VertexBytes : 0));
+        mMemoryLimitReached = bytes > mMemoryLimit;
+        return !mMemoryLimitReached;
     }
 
     bool component(const Progress &progress)
     {
+        if (!mayOpen(3))
+            return false;
         mSource.startComponent();
         const bool atHole = mHolesLeft > 0 && mCoder.bit(mStartModel, mSource.startsAtHole());
         std::uint32_t gate = atHole ? newHole(NoVertex, NoVertex) : firstTriangle();
@@ -412,7 +423,8 @@ private:
     Coder &mCoder;
     Source &mSource;
     const std::uint32_t mTriangleCount;
-    const std::uint64_t mMaxEdges;
+    const std::uint32_t mVertexRoom;
+    const std::uint64_t mMemoryLimit;
     std::int64_t mStepsLeft;
     std::vector<std::uint8_t> mDegrees; ///< triangles so far at each vertex
     std::vector<LoopEdge> mEdges;
@@ -422,7 +434,7 @@ private:
     std::uint64_t mOpenCount = 0;
     std::uint64_t mHolesLeft = 0;
     bool mHasFlips = false;
-    bool mEdgeLimitReached = false;
+    bool mMemoryLimitReached = false;
 
     SymbolModel mSymbols;
     IntegerModels<5> mHoleCountModel, mHoleLengthModel, mStepModel;

@@ -128,7 +128,7 @@ private:
             codeInteger(coder, mDistances, sizeContext(mLastMagnitude), signContext(mLastDistance), distance);
         mLastDistance = coded;
         mLastMagnitude = std::uint64_t(coded < 0 ? -coded : coded);
-        return near + coded;
+        return std::int64_t(std::uint64_t(near) + std::uint64_t(coded)); // may leave 64 bits: no place then either
     }
 
     FreePlaces mFree;

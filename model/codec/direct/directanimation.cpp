@@ -152,17 +152,24 @@ std::uint32_t DirectAnimation::framesInGroup(std::uint32_t index) const
 Result<void> DirectAnimation::check(const Progress &progress) const
 {
     std::atomic<std::size_t> done = 0;
-    std::atomic<bool> isWhole = true;
+    std::atomic<std::size_t> firstBad = mParts.groups.size();
     parallelFor(mParts.groups.size(), [&](std::size_t i) {
         OpenGroup group(*this, std::uint32_t(i), LeastFramesKept);
-        if (!group.isWhole(framesInGroup(std::uint32_t(i)), progress))
-            isWhole = false;
+        if (!group.isWhole(framesInGroup(std::uint32_t(i)), progress)) {
+            std::size_t known = firstBad;
+            while (i < known && !firstBad.compare_exchange_weak(known, i)) {
+            }
+        }
         progress.report(double(++done) / double(mParts.groups.size()));
     });
     if (progress.isCancelled())
         return fail(ErrorCode::Cancelled);
-    if (!isWhole)
-        return fail(ErrorCode::CorruptStream, "frames");
+    if (firstBad < mParts.groups.size())
+        return fail(Error{ErrorCode::CorruptStream,
+                          {"frames"},
+                          {},
+                          Error::None,
+                          std::uint64_t(mParts.groups[firstBad].data() - mParts.file.data())});
     return {};
 }
 
@@ -177,7 +184,7 @@ std::uint64_t DirectAnimation::neededBytes(const Header &header, Entropy entropy
     const std::uint64_t vertices = header.vertexCount;
     const std::uint64_t frame = vertices * sizeof(Cell);
     const std::uint64_t group =
-        framesKept(vertices, framesPerGroup) * frame + sizeof(OpenGroup) + FrameDecoder::neededBytes(entropy, vertices);
+        framesKept(vertices, framesPerGroup) * (frame + sizeof(std::vector<Cell>)) + sizeof(OpenGroup) + FrameDecoder::neededBytes(entropy, vertices);
     return sizeof(DirectAnimation) + std::uint64_t(header.triangleCount) * sizeof(Triangle) +
            MeshWalk::neededBytes(vertices, header.triangleCount) + frame + vertices * sizeof(Vec3f) +
            MostOpenGroups * group + (header.frameCount / framesPerGroup + 1) * sizeof(std::span<const std::uint8_t>);

@@ -13,6 +13,7 @@
 #include "model/codec/direct/directanimation.h"
 #include "model/codec/framestack.h"
 #include "model/codec/indexstage.h"
+#include "model/codec/memorylimit.h"
 #include "model/codec/streams.h"
 #include "model/codec/syntax.h"
 
@@ -195,8 +196,8 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeDirect(Bytes file, const C
         return fail(reader.error());
     const Entropy entropy = Entropy(parameters.entropy);
     const std::uint64_t needed = DirectAnimation::neededBytes(header, entropy, parameters.framesPerGroup) + file.size();
-    if (const std::uint64_t limit = limits.bytesFor(file.size()); needed > limit)
-        return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(limit));
+    if (const auto enough = requireMemory(container.chunks.front(), needed, limits.bytesFor(file.size())); !enough)
+        return fail(enough.error());
 
     ByteReader groups(chunks[2].payload, chunks[2].offset);
     for (const StreamView &view : readStreams(groups, streamCount(header.frameCount, parameters.framesPerGroup)))

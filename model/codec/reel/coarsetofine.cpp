@@ -128,10 +128,12 @@ public:
 private:
     void reachFrom(const Link &from)
     {
-        std::size_t searched = 0;
+        std::size_t searched = 0, gone = 0;
         for (const Link &link : mLinks[from.to]) {
-            if (!mAlive[link.to])
+            if (!mAlive[link.to]) {
+                ++gone;
                 continue;
+            }
             const std::uint32_t distance = from.length + link.length;
             std::uint32_t &known = mDistances[link.to];
             if (distance < known) {
@@ -143,6 +145,8 @@ private:
             if (++searched == MaxSearched)
                 break;
         }
+        if (gone > MaxSearched) // a hub whose first links all went: not to be passed over each time
+            links(from.to);
     }
 
     // A hub's list is not searched for each neighbour that goes: what is gone is dropped once it is half of the list.
@@ -176,18 +180,38 @@ private:
 
 NodeLists neighboursOf(const Connectivity &connectivity)
 {
-    std::vector<std::vector<std::uint32_t>> lists(connectivity.vertexCount);
-    for (const Triangle &t : connectivity.triangles)
-        for (std::size_t i = 0; i < 3; ++i)
-            if (t[i] != t[(i + 1) % 3]) {
-                lists[t[i]].push_back(t[(i + 1) % 3]);
-                lists[t[(i + 1) % 3]].push_back(t[i]);
-            }
+    const auto visitSides = [&](auto &&visit) {
+        for (const Triangle &t : connectivity.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (const std::uint32_t a = t[i], b = t[(i + 1) % 3]; a != b) {
+                    visit(a, b);
+                    visit(b, a);
+                }
+    };
+    // Counted first, so that it takes no more memory than it must.
+    std::vector<std::size_t> ends(std::size_t(connectivity.vertexCount) + 1);
+    visitSides([&](std::uint32_t a, std::uint32_t) { ++ends[a + 1]; });
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<std::uint32_t> sides(ends.back());
+    visitSides([&](std::uint32_t a, std::uint32_t b) { sides[ends[a]++] = b; });
+    // Now ends[a] is where the list of a ends.
+    std::size_t begin = 0, kept = 0;
+    std::vector<std::uint32_t> counts(connectivity.vertexCount);
+    for (std::uint32_t v = 0; v < connectivity.vertexCount; ++v) {
+        const auto first = sides.begin() + std::ptrdiff_t(begin), last = sides.begin() + std::ptrdiff_t(ends[v]);
+        begin = ends[v];
+        std::sort(first, last);
+        const auto unique = std::unique(first, last);
+        counts[v] = std::uint32_t(unique - first);
+        std::copy(first, unique, sides.begin() + std::ptrdiff_t(kept));
+        kept += counts[v];
+    }
     NodeLists result;
-    for (std::vector<std::uint32_t> &list : lists) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-        result.add(list);
+    result.reserve(counts.size(), kept);
+    std::size_t at = 0;
+    for (const std::uint32_t count : counts) {
+        result.add(std::span(sides).subspan(at, count));
+        at += count;
     }
     return result;
 }

@@ -20,6 +20,11 @@ public:
         return {mValues.data() + mStarts[node], mValues.data() + mStarts[node + 1]};
     }
     std::size_t size() const { return mStarts.size() - 1; }
+    void reserve(std::size_t lists, std::size_t values)
+    {
+        mStarts.reserve(lists + 1);
+        mValues.reserve(values);
+    }
     void add(std::span<const std::uint32_t> list)
     {
         mValues.insert(mValues.end(), list.begin(), list.end());

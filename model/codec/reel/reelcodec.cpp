@@ -8,6 +8,7 @@
 #include "model/codec/reel/reelcodec.h"
 
 #include "model/codec/connectivity/vertexorder.h"
+#include "model/codec/memorylimit.h"
 #include "model/codec/reel/reeldecoder.h"
 
 #include <numeric>
@@ -135,13 +136,11 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeReel(Bytes file, const Con
     const std::uint64_t limit = limits.bytesFor(file.size());
     const Result<void> opened =
         decoder.readParameters(chunks[0])
-            .and_then([&]() -> Result<void> {
-                const std::uint64_t needed = decoder.neededBytes() + file.size();
-                if (needed > limit)
-                    return fail(ErrorCode::LimitExceeded, "memory", std::to_string(needed), std::to_string(limit));
-                return {};
+            .and_then(
+                [&] { return requireMemory(container.chunks.front(), decoder.neededBytes() + file.size(), limit); })
+            .and_then([&] {
+                return decoder.readConnectivity(chunks[1], limit - file.size() - WorkingMemory, progress.part(0, 0.3));
             })
-            .and_then([&] { return decoder.readConnectivity(chunks[1], limit, progress.part(0, 0.3)); })
             .and_then([&] { return keepsOrder ? decoder.readOrder(*order) : Result<void>(); })
             .and_then([&] { return hasClusters ? decoder.readClusters(*clusters, chunks[2]) : Result<void>(); })
             .and_then([&] { return decoder.readShape(chunks[2], progress.part(0.3, 0.4)); })

@@ -109,11 +109,6 @@ struct ComingSource
     bool hasRunOut() const { return ranOut; }
 };
 
-bool isFiniteAsFloat(double value)
-{
-    return std::isfinite(float(value));
-}
-
 } // namespace
 
 Bytes reelParametersPayload(const ReelParameters &parameters, const Header &header)
@@ -139,13 +134,15 @@ Result<void> ReelDecoder::readParameters(const Chunk &chunk)
 
 std::uint64_t ReelDecoder::neededBytes() const
 {
-    // What coarseToFine() holds of a vertex with its six neighbours, and needs while it works; later, with clusters, the
-    // same again of their own nodes takes the place of the latter.
+    // What coarseToFine() holds of a vertex with its six neighbours, and needs while it works; later, with clusters,
+    // the same again of their own nodes takes the place of the latter.
     constexpr std::uint64_t BytesOfNode = 430;
     const std::uint64_t vertices = mHeader.vertexCount, frames = mHeader.frameCount, rank = mParameters.basisSize;
-    return ProductAnimation::neededBytes(mHeader, std::uint32_t(rank) + ShapeRank) + (vertices + frames) * BytesOfNode +
-           BandCoder::neededBytes(vertices, rank) + BandCoder::neededBytes(frames, 3 * rank) +
-           ShapeCoder::neededBytes(vertices);
+    // The triangles once more, and their sides while neighbours are looked for.
+    const std::uint64_t triangles = mHeader.triangleCount * std::uint64_t(sizeof(Triangle) + 6 * sizeof(std::uint32_t));
+    return ProductAnimation::neededBytes(mHeader, std::uint32_t(rank) + ShapeRank) + triangles +
+           (vertices + frames) * BytesOfNode + BandCoder::neededBytes(vertices, rank) +
+           BandCoder::neededBytes(frames, 3 * rank) + ShapeCoder::neededBytes(vertices);
 }
 
 Result<void> ReelDecoder::readConnectivity(const Chunk &chunk, std::uint64_t memoryLimit, const Progress &progress)
@@ -154,6 +151,7 @@ Result<void> ReelDecoder::readConnectivity(const Chunk &chunk, std::uint64_t mem
         decodeConnectivity(chunk, mHeader.vertexCount, mHeader.triangleCount, memoryLimit, progress.part(0, 0.3));
     if (!connectivity)
         return fail(std::move(connectivity).error());
+    connectivity->corners = {};
     Result<CoarseToFine> vertices = coarseToFine(connectivity->connectivity, progress.part(0.3, 1));
     if (!vertices)
         return fail(std::move(vertices).error());
@@ -192,14 +190,7 @@ Result<void> ReelDecoder::readShape(const Chunk &chunk, const Progress &progress
                                  [&] { return !coder.isBad() && !progress.isCancelled(); });
     if (progress.isCancelled())
         return fail(ErrorCode::Cancelled);
-    bool isFinite = whole && coder.isAtEnd();
-    const double scale = shapeStep(mParameters) / std::sqrt(double(mHeader.frameCount));
-    for (const Point &place : mPlaces)
-        for (const double x : place)
-            isFinite = isFinite && isFiniteAsFloat(x * scale);
-    for (const double mean : mMeans)
-        isFinite = isFinite && isFiniteAsFloat(mean);
-    if (!isFinite)
+    if (!whole || !coder.isAtEnd() || !startBounds())
         return corrupt("shape", chunk.offset);
     mWalk.emplace(nodes, mClusters, mParameters, mPlaces);
     return {};
@@ -222,7 +213,7 @@ Result<void> ReelDecoder::readBands(std::span<const std::uint8_t> payload, std::
             return fail(ErrorCode::Cancelled);
         const bool done = isWhole ? mWalk->next(all) : mWalk->next(coming);
         // What was read of a stream that is still coming is in it, so that only its values can tell.
-        if (mBands->isBad() || mWalk->isBad() || (done && !isLastFinite()))
+        if (mBands->isBad() || mWalk->isBad() || (done && !addLastToBounds()))
             return corrupt("bands", offset);
         if (!done)
             return {};
@@ -235,16 +226,43 @@ Result<void> ReelDecoder::readBands(std::span<const std::uint8_t> payload, std::
     return {};
 }
 
-bool ReelDecoder::isLastFinite() const
+bool ReelDecoder::startBounds()
+{
+    const double scale = shapeStep(mParameters) / std::sqrt(double(mHeader.frameCount));
+    Point largest{};
+    bool isBounded = true;
+    for (const Point &place : mPlaces)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double size = std::fabs(place[axis] * scale);
+            isBounded = isBounded && size <= MostCoordinate; // not a number is not
+            largest[axis] = std::max(largest[axis], size);
+        }
+    mBounds.clear();
+    for (const double mean : mMeans) {
+        mBounds.push_back(std::fabs(mean) + largest[mBounds.size() % 3]);
+        isBounded = isBounded && mBounds.back() <= MostCoordinate;
+    }
+    return isBounded;
+}
+
+bool ReelDecoder::addLastToBounds()
 {
     const std::uint32_t k = mWalk->done() - 1;
-    bool isFinite = true;
+    double largest = 0;
+    bool isBounded = true;
+    for (std::size_t i = 0; i < mWalk->members(k).size(); ++i) {
+        const double size = std::fabs(mWalk->coefficient(k, i));
+        isBounded = isBounded && size <= MostCoordinate;
+        largest = std::max(largest, size);
+    }
     for (std::size_t node = 0; node < mFrames.size(); ++node)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            isFinite = isFinite && isFiniteAsFloat(mWalk->basisValue(k, node, axis));
-    for (std::size_t i = 0; i < mWalk->members(k).size(); ++i)
-        isFinite = isFinite && isFiniteAsFloat(mWalk->coefficient(k, i));
-    return isFinite;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double size = std::fabs(mWalk->basisValue(k, node, axis));
+            double &bound = mBounds[3 * std::size_t(mFrames.vertices[node]) + axis];
+            bound += size * largest;
+            isBounded = isBounded && size <= MostCoordinate && bound <= MostCoordinate;
+        }
+    return isBounded;
 }
 
 std::shared_ptr<const DecodedAnimation> ReelDecoder::animation(Bytes file, const Container &container) const

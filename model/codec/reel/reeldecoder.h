@@ -56,7 +56,9 @@ public:
     Bytes bandsSoFar(std::span<const std::uint8_t> payload) const;
 
 private:
-    bool isLastFinite() const;
+    // What positions can come to, by shape and means and by each trajectory; false if that may overflow a float.
+    bool startBounds();
+    bool addLastToBounds();
     std::vector<std::uint64_t> prefixBytes(const Container &container) const;
 
     const Header mHeader;
@@ -67,8 +69,9 @@ private:
     CoarseToFine mFrames;
     std::optional<std::vector<std::uint32_t>> mOrder; ///< #V: where each coded vertex is shown
     Clusters mClusters;
-    std::vector<Point> mPlaces; ///< #N x 3, in steps
-    std::vector<double> mMeans; ///< #F x 3
+    std::vector<Point> mPlaces;  ///< #N x 3, in steps
+    std::vector<double> mMeans;  ///< #F x 3
+    std::vector<double> mBounds; ///< #F x 3; the magnitudes that make up a coordinate, summed
     std::optional<TrajectoryWalk> mWalk;
     std::optional<RangeDecoder> mBands;
     std::optional<RangeDecoder> mAtLastEnd; ///< as it was after the latest whole trajectory

@@ -113,9 +113,9 @@ public:
     template <class Coder>
     std::int32_t code(Coder &coder, std::int32_t exponent = 0)
     {
-        mLast += std::int32_t(codeInteger(coder, mModels, mSize, 0, exponent - mLast));
+        const std::int64_t next = mLast + codeInteger(coder, mModels, mSize, 0, exponent - mLast);
         mSize = 1;
-        mLast = std::clamp(mLast, -MaxStepExponent, MaxStepExponent);
+        mLast = std::int32_t(std::clamp<std::int64_t>(next, -MaxStepExponent, MaxStepExponent));
         return mLast;
     }
 

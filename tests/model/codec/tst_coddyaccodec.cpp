@@ -357,7 +357,7 @@ private slots:
         DecodeLimits limits;
         limits.memoryBytes = 10000;
         QCOMPARE(int(decodeAnimation(file, Progress(), limits).error().code), int(ErrorCode::LimitExceeded));
-        limits.memoryBytes = 1u << 20;
+        limits.memoryBytes = 8u << 20;
         QVERIFY(decodeAnimation(file, Progress(), limits).has_value());
     }
 

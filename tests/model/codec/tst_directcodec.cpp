@@ -355,7 +355,7 @@ private slots:
         DecodeLimits limits;
         limits.memoryBytes = 100000;
         QCOMPARE(int(decodeAnimation(file, Progress(), limits).error().code), int(ErrorCode::LimitExceeded));
-        limits.memoryBytes = 4u << 20;
+        limits.memoryBytes = 8u << 20;
         const auto decoded = decodeAnimation(file, Progress(), limits);
         QVERIFY(decoded.has_value());
         QVERIFY((*decoded)->memoryBytes() > file.size() && (*decoded)->memoryBytes() < (4u << 20));
