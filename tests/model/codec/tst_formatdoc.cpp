@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/animationcodec.h"
+#include "model/codec/connectivity/connectivitystage.h"
 #include "model/codec/container.h"
 #include "tests/model/codec/animations.h"
 #include "tests/model/codec/plain/plaindecoder.h"
@@ -111,6 +112,10 @@ private slots:
                              << "positions";
         QTest::newRow("direct") << "direct-hex"
                                 << "direct-positions";
+        QTest::newRow("reel") << "reel-hex"
+                              << "reel-positions";
+        QTest::newRow("coddyac") << "coddyac-hex"
+                                 << "coddyac-positions";
     }
     void workedExampleDecodes()
     {
@@ -133,6 +138,21 @@ private slots:
                      qPrintable(QString("%1: %2, not %3").arg(i).arg(found[i]).arg(expected[i])));
         if ((*decoded)->settings().codec() == CodecId::Pca)
             compareWithPlainDecoder(file);
+    }
+
+    void workedExampleOfConnectivityDecodes()
+    {
+        const QString document = readText("model/codec/FORMAT.md");
+        const Bytes stream = exampleOf(document, "clrs-hex");
+        const std::vector<double> expected = numbersOf(fenced(document, "clrs-triangles"));
+        QVERIFY(!stream.empty());
+        QCOMPARE(expected.size(), std::size_t(8 * 3));
+        Chunk chunk;
+        chunk.payload = stream;
+        const auto decoded = decodeConnectivity(chunk, 6, 8, std::uint64_t(1) << 20, Progress());
+        QVERIFY(decoded.has_value());
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            QCOMPARE(int(decoded->connectivity.triangles[i / 3][i % 3]), int(expected[i]));
     }
 
     void plainDecoderAgrees_data()

@@ -70,19 +70,13 @@ void readTriangles(const Data &payload, PlainAnim &anim)
 void decode(const Data &file, PlainAnim &anim)
 {
     std::map<std::string, Data> chunks = chunksOf(file);
-    // 3.3
-    Cursor head{chunks.at("HEAD")};
-    if (head.u8() != 1)
-        throw std::string("version");
-    head.u8();
-    if (head.varuint() != 0 || head.u8() != 2)
-        throw std::string("features or codec");
-    anim.vertices = head.varuint();
-    anim.triangleCount = head.varuint();
-    anim.frames = head.varuint();
-    anim.rate = head.f64();
-    anim.creator = head.text();
-    anim.name = head.text();
+    const Head head = headOf(chunks.at("HEAD"), 2);
+    anim.vertices = head.vertices;
+    anim.triangleCount = head.triangles;
+    anim.frames = head.frames;
+    anim.rate = head.rate;
+    anim.creator = head.creator;
+    anim.name = head.name;
     // 3.5
     Cursor parameters{chunks.at("PCAP")};
     anim.resolution = parameters.f64();

@@ -107,6 +107,20 @@ struct Range
         normalize();
         return result;
     }
+    /// 4.4: with a probability of 16 bits
+    unsigned decision(std::uint32_t q)
+    {
+        const std::uint32_t bound = (range >> 16) * q;
+        const bool isOne = code < bound;
+        if (isOne) {
+            range = bound;
+        } else {
+            code -= bound;
+            range -= bound;
+        }
+        normalize();
+        return isOne;
+    }
     std::uint32_t direct(unsigned n)
     {
         range = range >> n;
@@ -198,6 +212,31 @@ inline std::vector<Data> streams(Cursor &in, std::uint64_t things, std::uint64_t
     if (in.at != in.data.size())
         throw std::string("bytes left over");
     return result;
+}
+
+// 3.3
+struct Head
+{
+    std::uint64_t vertices = 0, triangles = 0, frames = 0;
+    double rate = 0;
+    std::string creator, name;
+};
+inline Head headOf(const Data &chunk, unsigned codec)
+{
+    Cursor in{chunk};
+    if (in.u8() != 1)
+        throw std::string("version");
+    in.u8();
+    if (in.varuint() != 0 || in.u8() != codec)
+        throw std::string("features or codec");
+    Head head;
+    head.vertices = in.varuint();
+    head.triangles = in.varuint();
+    head.frames = in.varuint();
+    head.rate = in.f64();
+    head.creator = in.text();
+    head.name = in.text();
+    return head;
 }
 
 // 3.1, 3.2
