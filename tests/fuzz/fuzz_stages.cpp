@@ -209,7 +209,8 @@ std::vector<std::int32_t> codeReel(Coder &coder, const CoarseToFine &nodes, cons
     Residuals<Coder> residuals{coder, values};
     ShapeCoder shape(nodes, 0.8);
     shape.codeAll(residuals, [] { return true; });
-    BandCoder bands(nodes, krigingWeights(nodes, shape.places()), {ReelBands, 0.9, MeshRidge});
+    BandModel learned;
+    BandCoder bands(nodes, krigingWeights(nodes, shape.places()), {ReelBands, 0.9, MeshRidge}, learned);
     for (std::size_t band = 0; band < ReelBands; ++band)
         bands.nextBand(residuals);
     return residuals.done;
