@@ -183,8 +183,8 @@ std::uint64_t DirectAnimation::neededBytes(const Header &header, Entropy entropy
 {
     const std::uint64_t vertices = header.vertexCount;
     const std::uint64_t frame = vertices * sizeof(Cell);
-    const std::uint64_t group =
-        framesKept(vertices, framesPerGroup) * (frame + sizeof(std::vector<Cell>)) + sizeof(OpenGroup) + FrameDecoder::neededBytes(entropy, vertices);
+    const std::uint64_t group = framesKept(vertices, framesPerGroup) * (frame + sizeof(std::vector<Cell>)) +
+                                sizeof(OpenGroup) + FrameDecoder::neededBytes(entropy, vertices);
     return sizeof(DirectAnimation) + std::uint64_t(header.triangleCount) * sizeof(Triangle) +
            MeshWalk::neededBytes(vertices, header.triangleCount) + frame + vertices * sizeof(Vec3f) +
            MostOpenGroups * group + (header.frameCount / framesPerGroup + 1) * sizeof(std::span<const std::uint8_t>);

@@ -6,8 +6,8 @@
 #include "views/dialogs/exportframesdialog.h"
 #include "views/dialogs/exportpicturesdialog.h"
 #include "views/dialogs/exportpointcachedialog.h"
-#include "views/scene/picturefiles.h"
 #include "views/dialogs/screenshotdialog.h"
+#include "views/scene/picturefiles.h"
 #include "views/viewport/animationviewport.h"
 
 #include <QComboBox>
