@@ -30,10 +30,7 @@ QString write(const QString &name, const char *data, std::size_t size)
 
 extern "C" int LLVMFuzzerInitialize(int *, char ***)
 {
-    // In memory where there is such a folder: a file for each input.
-    folder = std::make_unique<QTemporaryDir>("/dev/shm/sandreel-fuzz-XXXXXX");
-    if (!folder->isValid())
-        folder = std::make_unique<QTemporaryDir>();
+    folder = std::make_unique<QTemporaryDir>();
     for (int vertices = 1; vertices <= 8; ++vertices) {
         QByteArray text;
         for (int v = 0; v < vertices; ++v)
