@@ -224,15 +224,7 @@ double PlainCoddyac::size(std::uint64_t frame, std::uint64_t vertex, unsigned ax
 
 PlainCoddyac decodeCoddyacPlainly(const std::vector<std::uint8_t> &file)
 {
-    PlainCoddyac anim;
-    try {
-        decode(file, anim);
-    } catch (const std::string &error) {
-        anim.error = error;
-    } catch (const std::exception &error) {
-        anim.error = error.what();
-    }
-    return anim;
+    return decodedOrError(file, &decode);
 }
 
 } // namespace tests

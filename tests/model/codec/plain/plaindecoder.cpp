@@ -113,15 +113,7 @@ std::vector<std::array<std::int64_t, 3>> plainTriangles(const std::vector<std::u
 
 PlainAnim decodePlainly(const std::vector<std::uint8_t> &file)
 {
-    PlainAnim anim;
-    try {
-        decode(file, anim);
-    } catch (const std::string &error) {
-        anim.error = error;
-    } catch (const std::exception &error) {
-        anim.error = error.what();
-    }
-    return anim;
+    return decodedOrError(file, &decode);
 }
 
 } // namespace tests

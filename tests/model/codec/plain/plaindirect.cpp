@@ -315,15 +315,7 @@ void decode(const Data &file, PlainDirect &anim)
 
 PlainDirect decodeDirectPlainly(const std::vector<std::uint8_t> &file)
 {
-    PlainDirect anim;
-    try {
-        decode(file, anim);
-    } catch (const std::string &error) {
-        anim.error = error;
-    } catch (const std::exception &error) {
-        anim.error = error.what();
-    }
-    return anim;
+    return decodedOrError(file, &decode);
 }
 
 } // namespace tests

@@ -260,4 +260,19 @@ inline std::map<std::string, Data> chunksOf(const Data &file)
     return chunks;
 }
 
+/// What `decode` makes of a file, or the text of what it throws.
+template <class Animation>
+Animation decodedOrError(const Data &file, void (*decode)(const Data &, Animation &))
+{
+    Animation anim;
+    try {
+        decode(file, anim);
+    } catch (const std::string &error) {
+        anim.error = error;
+    } catch (const std::exception &error) {
+        anim.error = error.what();
+    }
+    return anim;
+}
+
 } // namespace tests::plain
