@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The TIN against CGAL's Constrained_Delaunay_triangulation_2 (the rows "cgal..."), on the same random points in the
 // same run.
-#include "model/terrain/tinedit.h"
+#include "model/terrain/tin/tinedit.h"
 
 #include <benchmark/benchmark.h>
 

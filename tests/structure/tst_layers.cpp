@@ -98,7 +98,7 @@ private slots:
         const QList<std::pair<QString, QString>> adapters{{"assimp/", "model/io/"},
                                                           {"Eigen/", "model/codec/"},
                                                           {"CLI/", "app/"},
-                                                          {"CGAL/", "model/terrain/exactpredicates.cpp"}};
+                                                          {"CGAL/", "model/terrain/tin/exactpredicates.cpp"}};
         QStringList broken;
         for (const QString &top : productFolders())
             for (const QString &file : sourcesIn(top))

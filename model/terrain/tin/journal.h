@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/terrain/tin/tinarrays.h"
+
+#include <vector>
+
+namespace model::terrain {
+
+/// Slots first, first + 1, ... of an array.
+struct SlotRange
+{
+    std::uint32_t first = 0, count = 0;
+
+    friend constexpr bool operator==(const SlotRange &, const SlotRange &) = default;
+};
+
+/// What of the TIN's memory is asked about.
+enum class TinPart : std::uint8_t { Points, Heights, Areas, Triangles };
+
+/// One finished change of a TIN, as a value: the bytes of every slot that it wrote, as they are on the other side of
+/// the change. Tin::swap() exchanges the two sides: undo and redo are the same swap, and exact to the byte.
+class Edit
+{
+public:
+    /// Memory that the edit holds, for a history's budget.
+    std::size_t byteSize() const;
+    bool isEmpty() const;
+    /// The slots of `part` that the edit wrote, ascending, neighbours joined: what to upload or save again.
+    std::vector<SlotRange> dirtyRanges(TinPart part) const;
+
+private:
+    friend class Journal;
+
+    template <class T>
+    struct Saved
+    {
+        std::uint32_t slot;
+        T value;
+    };
+    struct Links
+    {
+        Corner corner;
+        std::uint32_t constraints;
+    };
+    struct Triangle
+    {
+        VertexId vertices[3];
+        Corner opposites[3];
+        std::uint8_t flags;
+    };
+    struct Slots
+    {
+        std::uint32_t vertices = 0, triangles = 0, records = 0;
+    };
+    /// The slots that only the side after the edit has, while the TIN is on the other.
+    struct Tail
+    {
+        std::vector<Point2> points;
+        std::vector<double> heights, areas;
+        std::vector<Links> links;
+        std::vector<Triangle> triangles;
+        std::vector<ConstraintRecord> records;
+    };
+
+    std::vector<Saved<Point2>> mPoints;
+    std::vector<Saved<double>> mHeights;
+    std::vector<Saved<double>> mAreas;
+    std::vector<Saved<Links>> mLinks;
+    std::vector<Saved<Triangle>> mTriangles;
+    std::vector<Saved<ConstraintRecord>> mRecords;
+    Tail mTail;
+    TinTotals mTotals;
+    Slots mBefore, mAfter;
+    bool mIsUndone = false;
+};
+
+/// Saves slots before they are written for the first time in an edit.
+class Journal
+{
+public:
+    bool isRecording() const { return mIsRecording; }
+
+    void begin(const TinArrays &tin);
+    /// Ends recording; the edit holds what was before.
+    Edit end(const TinArrays &tin);
+    /// Exchanges the two sides of an edit. Precondition: the TIN is on one of them.
+    static void swap(TinArrays &tin, Edit &edit);
+
+    // Before each write. Slots that the edit itself added need no saving.
+    void touchPoint(const TinArrays &tin, VertexId v)
+    {
+        if (v < mBase.vertices && mSeenPoints.set(v))
+            mEdit.mPoints.push_back({v, tin.points[v]});
+    }
+    void touchHeight(const TinArrays &tin, VertexId v)
+    {
+        if (v < mBase.vertices && mSeenHeights.set(v))
+            mEdit.mHeights.push_back({v, tin.heights[v]});
+    }
+    void touchArea(const TinArrays &tin, VertexId v)
+    {
+        if (v < mBase.vertices && mSeenAreas.set(v))
+            mEdit.mAreas.push_back({v, tin.areas[v]});
+    }
+    void touchLinks(const TinArrays &tin, VertexId v)
+    {
+        if (v < mBase.vertices && mSeenLinks.set(v))
+            mEdit.mLinks.push_back({v, {tin.corners[v], tin.constraints[v]}});
+    }
+    void touchTriangle(const TinArrays &tin, TriangleId t)
+    {
+        if (t < mBase.triangles && mSeenTriangles.set(t))
+            mEdit.mTriangles.push_back({t, read(tin, t)});
+    }
+    void touchRecord(const TinArrays &tin, std::uint32_t r)
+    {
+        if (r < mBase.records && mSeenRecords.set(r))
+            mEdit.mRecords.push_back({r, tin.records[r]});
+    }
+
+    /// Notes that the dual area of `v` has to be computed anew. True if that is news.
+    bool noteArea(VertexId v)
+    {
+        mNotedAreas.resize(std::size_t(v) + 1);
+        return mNotedAreas.set(v);
+    }
+    void forgetArea(VertexId v) { mNotedAreas.clear(v); }
+
+    /// Vertex slots of an edit whose vertices may have come or gone.
+    template <class Visit>
+    static void forEachLinkedVertex(const Edit &edit, Visit visit)
+    {
+        for (const auto &saved : edit.mLinks)
+            visit(saved.slot);
+        for (VertexId v = edit.mBefore.vertices; v < edit.mAfter.vertices; ++v)
+            visit(v);
+    }
+
+    std::size_t byteSize() const;
+
+private:
+    /// One bit for each slot.
+    class Bits
+    {
+    public:
+        void resize(std::size_t count)
+        {
+            if (mWords.size() < (count + 63) / 64)
+                mWords.resize((count + 63) / 64);
+        }
+        /// Sets a bit; true if it was clear.
+        bool set(std::size_t i)
+        {
+            const std::uint64_t bit = std::uint64_t(1) << (i & 63);
+            const bool isNew = !(mWords[i >> 6] & bit);
+            mWords[i >> 6] |= bit;
+            return isNew;
+        }
+        /// Clears a bit and, being meant for clearing all that were set, its neighbours.
+        void clear(std::size_t i) { mWords[i >> 6] = 0; }
+        std::size_t byteSize() const { return mWords.size() * sizeof(std::uint64_t); }
+
+    private:
+        std::vector<std::uint64_t> mWords;
+    };
+    static Edit::Triangle read(const TinArrays &tin, TriangleId t);
+    static void write(TinArrays &tin, TriangleId t, const Edit::Triangle &triangle);
+    static void takeTail(TinArrays &tin, Edit &edit);
+    static void giveTail(TinArrays &tin, Edit &edit);
+
+    bool mIsRecording = false;
+    Edit::Slots mBase;
+    Edit mEdit;
+    Bits mSeenPoints, mSeenHeights, mSeenAreas, mSeenLinks, mSeenTriangles, mSeenRecords, mNotedAreas;
+};
+
+} // namespace model::terrain

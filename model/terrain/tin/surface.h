@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/terrain/tin/tinarrays.h"
+
+namespace model::terrain {
+
+/// How the surface rises: metres up for a metre east (x) and north (y).
+struct Gradient
+{
+    double x = 0, y = 0;
+};
+
+/// The height of the triangle `t` above `p`. Between those of its vertices for any `p` in it, however thin it is.
+double heightIn(const TinArrays &tin, TriangleId t, Point2 p);
+/// The same of the edge of `c`, for a point on it: a thin triangle would not say it well.
+double heightOn(const TinArrays &tin, Corner c, Point2 p);
+Gradient gradientOf(const TinArrays &tin, TriangleId t);
+/// The angle between the triangle and the horizontal plane, in radians.
+double slopeOf(const TinArrays &tin, TriangleId t);
+
+} // namespace model::terrain

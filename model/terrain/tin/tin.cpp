@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/terrain/tin/tin.h"
+
+#include "model/base/digest.h"
+#include "model/terrain/tin/constraintlists.h"
+#include "model/terrain/tin/tinwriter.h"
+
+#include <cassert>
+
+namespace model::terrain {
+
+Tin::Tin(const Rectangle &domain)
+    : mDomain(domain)
+{
+    assert(domain.low.x < domain.high.x && domain.low.y < domain.high.y);
+    TinWriter writer(mArrays, mJournal);
+    for (const Point2 corner :
+         {domain.low, Point2{domain.high.x, domain.low.y}, domain.high, Point2{domain.low.x, domain.high.y}})
+        writer.addVertex(corner, 0);
+    const TriangleId t = writer.addTriangle(0), u = writer.addTriangle(0);
+    writer.setTriangle(t, 0, 1, 2);
+    writer.setTriangle(u, 0, 2, 3);
+    writer.link(cornerOf(t, 0), BorderOpposite);
+    writer.link(cornerOf(t, 2), BorderOpposite);
+    writer.link(cornerOf(u, 0), BorderOpposite);
+    writer.link(cornerOf(u, 1), BorderOpposite);
+    writer.link(cornerOf(t, 1), cornerOf(u, 2));
+    writer.edges = {cornerOf(t, 1)};
+    writer.restoreDelaunay();
+    for (VertexId v = 0; v < 4; ++v)
+        mArrays.areas[v] = dualArea(mArrays, v);
+    mHints.build(mArrays, mDomain);
+}
+
+Location Tin::locate(Point2 p, VertexId near) const
+{
+    assert(mDomain.contains(p));
+    return terrain::locate(mArrays, p, near == None ? mHints.near(mArrays, p) : near);
+}
+
+TriangleId Tin::triangleAt(Point2 p, VertexId near) const
+{
+    return triangleOf(locate(p, near).corner);
+}
+
+double Tin::heightAt(Point2 p, VertexId near) const
+{
+    const Location location = locate(p, near);
+    if (location.kind == Location::Kind::Vertex)
+        return mArrays.heights[mArrays.vertex(location.corner)];
+    if (location.kind == Location::Kind::Edge)
+        return heightOn(mArrays, location.corner, p);
+    return heightIn(mArrays, triangleOf(location.corner), p);
+}
+
+Gradient Tin::gradientAt(Point2 p, VertexId near) const
+{
+    return gradientOf(mArrays, triangleAt(p, near));
+}
+
+bool Tin::isConstrained(VertexId a, VertexId b) const
+{
+    const Corner c = cornerOfEdge(mArrays, a, b);
+    return c != NoCorner && mArrays.isConstrained(c);
+}
+
+std::vector<OwnerId> Tin::ownersOf(VertexId a, VertexId b) const
+{
+    return terrain::ownersOf(mArrays, a, b);
+}
+
+double Tin::volume() const
+{
+    CompensatedSum sum;
+    for (VertexId v = 0; v < mArrays.vertexSlots(); ++v)
+        sum.add(mArrays.heights[v] * mArrays.areas[v]);
+    return sum.value();
+}
+
+void Tin::swap(Edit &edit)
+{
+    assert(!mJournal.isRecording());
+    Journal::swap(mArrays, edit);
+    Journal::forEachLinkedVertex(edit, [&](VertexId v) {
+        if (mArrays.isVertex(v))
+            mHints.note(v, mArrays.points[v]);
+    });
+}
+
+std::uint64_t Tin::fingerprint() const
+{
+    std::uint64_t digest = digestOfArray(std::span(&mDomain, 1));
+    digest = digestOfArray(mArrays.points.values(), digest);
+    digest = digestOfArray(mArrays.heights.values(), digest);
+    digest = digestOfArray(mArrays.areas.values(), digest);
+    digest = digestOfArray(mArrays.corners.values(), digest);
+    digest = digestOfArray(mArrays.constraints.values(), digest);
+    digest = digestOfArray(mArrays.triangleVertices.values(), digest);
+    digest = digestOfArray(mArrays.opposites.values(), digest);
+    digest = digestOfArray(mArrays.triangleFlags.values(), digest);
+    digest = digestOfArray(mArrays.records.values(), digest);
+    return digestOfArray(std::span(&mArrays.totals, 1), digest);
+}
+
+std::size_t Tin::byteSize() const
+{
+    return sizeof(Tin) + mArrays.byteSize() + mHints.byteSize() + mJournal.byteSize();
+}
+
+} // namespace model::terrain

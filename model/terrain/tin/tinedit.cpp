@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/terrain/tin/tinedit.h"
+
+#include "model/terrain/tin/constraintlists.h"
+#include "model/terrain/tin/removal.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace model::terrain {
+
+namespace {
+
+/// Begins recording before the writer asks whether somebody is.
+Journal &begun(Journal &journal, const TinArrays &tin)
+{
+    journal.begin(tin);
+    return journal;
+}
+
+} // namespace
+
+TinEdit::TinEdit(Tin &tin, VolumeRule rule)
+    : mTin(tin)
+    , mArrays(tin.mArrays)
+    , mRule(rule)
+    , mWriter(tin.mArrays, begun(tin.mJournal, tin.mArrays))
+{}
+
+TinEdit::~TinEdit()
+{
+    if (mIsOpen)
+        rollBack();
+}
+
+VertexId TinEdit::insert(Point2 p, VertexId near)
+{
+    assert(mIsOpen && mTin.domain().contains(p));
+    const Location location = mTin.locate(p, near);
+    if (location.kind == Location::Kind::Vertex)
+        return mArrays.vertex(location.corner);
+    VertexId v = None;
+    if (location.kind == Location::Kind::Edge) {
+        const VertexId a = mArrays.vertex(next(location.corner)), b = mArrays.vertex(previous(location.corner));
+        v = mWriter.addVertex(p, heightOn(mArrays, location.corner, p));
+        mWriter.splitEdge(location.corner, v);
+        if (mArrays.constraints[a] != None)
+            splitRecords(mWriter, a, b, v);
+    } else {
+        v = mWriter.addVertex(p, heightIn(mArrays, triangleOf(location.corner), p));
+        mWriter.splitTriangle(triangleOf(location.corner), v);
+    }
+    mWriter.restoreDelaunayAround(v);
+    mTin.mHints.note(v, p);
+    return v;
+}
+
+VertexId TinEdit::insert(Point2 p, double height, VertexId near)
+{
+    const VertexId v = insert(p, near);
+    setHeight(v, height);
+    return v;
+}
+
+bool TinEdit::canRemove(VertexId v) const
+{
+    return canRemoveVertex(mArrays, v);
+}
+
+void TinEdit::remove(VertexId v)
+{
+    assert(mIsOpen);
+    const Point2 p = mArrays.points[v];
+    const VertexId neighbour = mArrays.vertex(next(mArrays.corners[v]));
+    removeVertex(mWriter, v);
+    mTin.mHints.replace(v, p, neighbour);
+}
+
+void TinEdit::setHeight(VertexId v, double height)
+{
+    assert(mIsOpen);
+    const double difference = height - mArrays.heights[v];
+    if (difference == 0)
+        return;
+    const double volume = difference * areaOf(v);
+    Ledger &ledger = mArrays.totals.ledger;
+    if (volume > 0)
+        ledger.added.add(volume);
+    else
+        ledger.removed.add(-volume);
+    mWriter.setHeight(v, height);
+}
+
+void TinEdit::transfer(VertexId from, VertexId to, double volume)
+{
+    assert(mIsOpen);
+    const double fromArea = areaOf(from), toArea = areaOf(to);
+    assert(fromArea > 0 && toArea > 0);
+    mWriter.setHeight(from, mArrays.heights[from] - volume / fromArea);
+    mWriter.setHeight(to, mArrays.heights[to] + volume / toArea);
+    mArrays.totals.ledger.moved.add(std::abs(volume));
+}
+
+double TinEdit::areaOf(VertexId v)
+{
+    mWriter.updateAreas();
+    return mArrays.areas[v];
+}
+
+void TinEdit::giveBack(std::span<const VertexId> vertices, std::span<const double> weights)
+{
+    assert(mIsOpen && (weights.empty() || weights.size() == vertices.size()));
+    mWriter.updateAreas();
+    CompensatedSum weighted;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        weighted.add(mArrays.areas[vertices[i]] * (weights.empty() ? 1 : weights[i]));
+    if (!(weighted.value() > 0))
+        return;
+    const double lift = -mWriter.leak.value() / weighted.value();
+    // What the surface really gains, rounding of the heights and all, is what the leak falls by.
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const VertexId v = vertices[i];
+        const double before = mArrays.heights[v];
+        mWriter.setHeight(v, before + lift * (weights.empty() ? 1 : weights[i]));
+        mWriter.leak.add((mArrays.heights[v] - before) * mArrays.areas[v]);
+    }
+}
+
+Edit TinEdit::end()
+{
+    assert(mIsOpen);
+    mIsOpen = false;
+    mWriter.updateAreas();
+    return mTin.mJournal.end(mArrays);
+}
+
+Edit TinEdit::commit()
+{
+    mWriter.updateAreas();
+    if (mRule == VolumeRule::GiveBack && mWriter.leak.value() != 0) {
+        std::vector<VertexId> &to = mWriter.reconnected;
+        std::sort(to.begin(), to.end());
+        to.erase(std::unique(to.begin(), to.end()), to.end());
+        to.erase(std::remove_if(to.begin(), to.end(), [&](VertexId v) { return !mArrays.isVertex(v); }), to.end());
+        giveBack(to);
+    }
+    // Nothing, or the rounding of the heights; all of it if it is to be kept.
+    mArrays.totals.ledger.kept.add(mWriter.leak.value());
+    Edit edit = end();
+    if (mTin.mHints.isTooCoarse(mArrays))
+        mTin.mHints.build(mArrays, mTin.mDomain);
+    return edit;
+}
+
+void TinEdit::rollBack()
+{
+    Edit edit = end();
+    mTin.swap(edit);
+}
+
+} // namespace model::terrain

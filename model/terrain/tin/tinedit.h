@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/terrain/tin/tin.h"
+#include "model/terrain/tin/tinwriter.h"
+
+namespace model::terrain {
+
+/// What becomes of the volume that changes because the surface is triangulated anew, not because somebody raised or
+/// lowered it.
+enum class VolumeRule : std::uint8_t {
+    GiveBack, ///< it is spread over the vertices that were created or connected anew
+    Keep,     ///< heights stay as they are, and the ledger says what that changed
+};
+
+/// What constrain() does where the line crosses a constrained edge.
+enum class Crossing : std::uint8_t {
+    Refuse,  ///< nothing at all is done
+    Release, ///< that edge loses its constraints
+    Split,   ///< both get a vertex where they cross, at the height of the older one
+};
+
+/// An open change of a TIN: the only way to change one. Goes through the journal; commit() makes it an Edit, and what
+/// is not committed is undone. The TIN is valid, and may be read and drawn, between any two calls.
+class TinEdit
+{
+public:
+    /// Precondition: no edit of `tin` is open.
+    explicit TinEdit(Tin &tin, VolumeRule rule = VolumeRule::GiveBack);
+    ~TinEdit();
+    TinEdit(const TinEdit &) = delete;
+    TinEdit &operator=(const TinEdit &) = delete;
+
+    const Tin &tin() const { return mTin; }
+
+    /// Puts a vertex on the surface at `p`, or finds the one there. A constrained edge through `p` stays constrained on
+    /// both sides. Precondition: `p` lies in the domain; `near` is a vertex, or None.
+    VertexId insert(Point2 p, VertexId near = None);
+    /// The same at height `height`: a vertex found is moved there.
+    VertexId insert(Point2 p, double height, VertexId near = None);
+
+    /// False for vertices with constraints, and for the domain's corners.
+    bool canRemove(VertexId v) const;
+    /// Precondition: canRemove(v).
+    void remove(VertexId v);
+
+    /// Makes the line from `a` to `b` a union of edges, through the vertices that lie on it, and constrains them for
+    /// `owner`. \error CrossingConstraints  it crosses a constrained edge, and `crossing` is Refuse, or that edge
+    /// bounds a void; nothing
+    ///                             is changed. args: the vertices of the line, those of the edge
+    /// Precondition: `a` and `b` are different vertices; `owner` is not None.
+    Result<void> constrain(VertexId a, VertexId b, OwnerId owner, Crossing crossing = Crossing::Refuse);
+    /// Takes the constraint of `owner` off the edge a-b, if there is one. The edge stays if the circle rule wants it.
+    void release(VertexId a, VertexId b, OwnerId owner);
+    /// Takes all constraints off the edge a-b, but not what bounds the domain or a void.
+    void releaseAll(VertexId a, VertexId b);
+    /// Takes all constraints of `owner` away. Cost: O(all constraints).
+    void releaseOwner(OwnerId owner);
+
+    /// Marks triangles as void or not. Edges between void and other triangles are constrained, for VoidOwner.
+    void setVoid(std::span<const TriangleId> triangles, bool isVoid);
+
+    /// The ledger counts it as added or removed.
+    void setHeight(VertexId v, double height);
+    /// Lowers `from` and raises `to` by what `volume` takes. The ledger counts it as moved.
+    void transfer(VertexId from, VertexId to, double volume);
+    /// The dual area of `v` as it is now.
+    double areaOf(VertexId v);
+
+    /// What the surface gained in volume, and has not given back.
+    double leak() const { return mWriter.leak.value(); }
+    /// Spreads the leak over `vertices`: the height of each changes in proportion to its weight (empty: all alike).
+    /// Nothing happens if their areas and weights add up to nothing.
+    void giveBack(std::span<const VertexId> vertices, std::span<const double> weights = {});
+
+    /// Ends the edit.
+    Edit commit();
+    /// Ends the edit as if it had not begun.
+    void rollBack();
+
+private:
+    struct Segment
+    {
+        VertexId a, b;
+        OwnerId owner;
+    };
+
+    void constrainEdge(Corner c, OwnerId owner);
+    void unconstrain(Corner c);
+    void split(Corner c, std::vector<Segment> &segments, const Segment &segment);
+    bool isFreeOf(const Segment &segment, Crossing crossing, Corner &blocking) const;
+    Edit end();
+
+    Tin &mTin;
+    TinArrays &mArrays;
+    const VolumeRule mRule;
+    TinWriter mWriter;
+    bool mIsOpen = true;
+};
+
+} // namespace model::terrain

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/terrain/tin/journal.h"
+#include "model/terrain/tin/predicates.h"
+
+#include <initializer_list>
+#include <vector>
+
+namespace model::terrain {
+
+/// The steps that all changes of a TIN are made of. Each saves what it writes in the journal, where that is recording,
+/// remembers whose dual areas it changed, and adds up by how much it changed the volume under the surface.
+class TinWriter
+{
+public:
+    TinWriter(TinArrays &arrays, Journal &journal)
+        : tin(arrays)
+        , mJournal(journal)
+        , mIsRecording(journal.isRecording())
+    {}
+
+    TinArrays &tin; ///< for reading, and for writing what was touched before
+
+    void touchTriangle(TriangleId t)
+    {
+        if (mIsRecording)
+            mJournal.touchTriangle(tin, t);
+    }
+    void touchLinks(VertexId v)
+    {
+        if (mIsRecording)
+            mJournal.touchLinks(tin, v);
+    }
+    void touchRecord(std::uint32_t r)
+    {
+        if (mIsRecording)
+            mJournal.touchRecord(tin, r);
+    }
+
+    VertexId addVertex(Point2 point, double height);
+    /// Precondition: no triangle and no record uses it.
+    void freeVertex(VertexId v);
+    TriangleId addTriangle(std::uint8_t flags);
+    void freeTriangle(TriangleId t);
+    void setHeight(VertexId v, double height)
+    {
+        if (mIsRecording)
+            mJournal.touchHeight(tin, v);
+        tin.heights[v] = height;
+    }
+
+    /// Sets the three vertices of `t`, and `t` as the triangle of each.
+    void setTriangle(TriangleId t, VertexId a, VertexId b, VertexId c);
+    void setCornerOf(VertexId v, Corner c)
+    {
+        touchLinks(v);
+        tin.corners[v] = c;
+    }
+    /// Joins the edges of two corners. `opposite` carries the constrained bit; BorderOpposite ends at the border.
+    void link(Corner c, Corner opposite)
+    {
+        touchTriangle(triangleOf(c));
+        tin.opposites[slotOf(c)] = opposite;
+        if (opposite == BorderOpposite)
+            return;
+        touchTriangle(triangleOf(opposite & ~ConstrainedBit));
+        tin.opposites[slotOf(opposite & ~ConstrainedBit)] = c | (opposite & ConstrainedBit);
+    }
+    void setConstrained(Corner c, bool isConstrained);
+
+    /// Replaces the edge of `c` by the other diagonal of its two triangles. Afterwards `c` has the same vertex, and the
+    /// new edge belongs to next(c). Precondition: not constrained; the two triangles form a strictly convex
+    /// quadrilateral.
+    void flip(Corner c);
+    /// Puts `v` into `t`, or onto the edge of `c`, whose constrained bit both halves keep. Afterwards every triangle of
+    /// `v` has it at corner 0 and `edges` holds those corners.
+    void splitTriangle(TriangleId t, VertexId v);
+    void splitEdge(Corner c, VertexId v);
+
+    /// The corners whose edges may have become illegal; restoreDelaunay() starts from them.
+    std::vector<Corner> edges;
+    /// Flips until no edge violates the empty-circle rule, ties broken as in isInsideCircle(). Empties `edges`.
+    void restoreDelaunay();
+    /// The same after `v` was put in by a split: faster.
+    void restoreDelaunayAround(VertexId v);
+
+    void noteArea(VertexId v)
+    {
+        if (mIsRecording && mJournal.noteArea(v))
+            mAreasToDo.push_back(v);
+    }
+    /// Recomputes the dual areas of all vertices noted; they are appended to `reconnected`.
+    void updateAreas();
+    std::vector<VertexId> reconnected;
+
+    /// What the steps so far changed the volume under the surface by.
+    CompensatedSum leak;
+    double volumeOf(TriangleId t, double level) const;
+
+private:
+    /// Adds what is under these triangles, above the height of a vertex, to the leak. A vertex on the surface changes
+    /// no volume where it splits a triangle, but for its rounded height, and that counts beside a needle with a large
+    /// neighbour.
+    void loseVolume(std::initializer_list<TriangleId> triangles, VertexId level);
+    void gainVolume(std::initializer_list<TriangleId> triangles, VertexId level);
+
+    Journal &mJournal;
+    const bool mIsRecording;
+    std::vector<VertexId> mAreasToDo;
+};
+
+/// The dual area of `v`, added up in the order of its triangles.
+double dualArea(const TinArrays &tin, VertexId v);
+/// Of a triangle, positive.
+double areaOf(const TinArrays &tin, TriangleId t);
+
+} // namespace model::terrain

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/terrain/tin/tinedit.h"
+#include "model/terrain/tin/validate.h"
+#include "tests/model/terrain/tin/randomedits.h"
+#include "tests/support/testmain.h"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace model::terrain;
+
+namespace {
+
+/// All bytes of a TIN's state, as they lie there.
+std::string bytesOf(const Tin &tin)
+{
+    std::string bytes;
+    const auto add = [&](const auto &array) {
+        bytes.append(reinterpret_cast<const char *>(array.data()), array.byteSize());
+        bytes += '|';
+    };
+    const TinArrays &arrays = tin.arrays();
+    add(arrays.points);
+    add(arrays.heights);
+    add(arrays.areas);
+    add(arrays.corners);
+    add(arrays.constraints);
+    add(arrays.triangleVertices);
+    add(arrays.opposites);
+    add(arrays.triangleFlags);
+    add(arrays.records);
+    bytes.append(reinterpret_cast<const char *>(&arrays.totals), sizeof(arrays.totals));
+    return bytes;
+}
+
+/// Which slots of `part` differ between two states, the new ones included.
+std::vector<std::uint32_t> changedSlots(const TinArrays &before, const TinArrays &after, TinPart part)
+{
+    std::vector<std::uint32_t> changed;
+    const bool isTriangles = part == TinPart::Triangles;
+    const std::uint32_t count = isTriangles ? after.triangleSlots() : after.vertexSlots();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        bool isSame = i < (isTriangles ? before.triangleSlots() : before.vertexSlots());
+        if (isSame && isTriangles)
+            isSame = std::memcmp(&before.triangleVertices[3 * i], &after.triangleVertices[3 * i], 12) == 0 &&
+                     std::memcmp(&before.opposites[3 * i], &after.opposites[3 * i], 12) == 0;
+        else if (isSame)
+            isSame = part == TinPart::Points    ? before.points[i] == after.points[i]
+                     : part == TinPart::Heights ? before.heights[i] == after.heights[i]
+                                                : before.areas[i] == after.areas[i];
+        if (!isSame)
+            changed.push_back(i);
+    }
+    return changed;
+}
+
+} // namespace
+
+class TestJournal final : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void undoAndRedoAreExactToTheByte_data()
+    {
+        QTest::addColumn<int>("ground");
+        for (const tests::Ground ground : tests::EveryGround)
+            QTest::newRow(tests::nameOf(ground)) << int(ground);
+    }
+    /// Some thousand random edits in all, walked back and forth at random.
+    void undoAndRedoAreExactToTheByte()
+    {
+        QFETCH(int, ground);
+        tests::PointSource source(tests::Ground(ground), 21);
+        auto built = buildTin(source.points(150), source.domain());
+        QVERIFY(built);
+        Tin &tin = built->tin;
+        std::vector<Edit> edits;
+        std::vector<std::string> states{bytesOf(tin)};
+        for (int i = 0; i < 500; ++i) {
+            {
+                TinEdit edit(tin, source.below(2) ? VolumeRule::GiveBack : VolumeRule::Keep);
+                for (std::uint32_t steps = source.below(8); steps > 0; --steps)
+                    tests::randomStep(edit, source);
+                edits.push_back(edit.commit());
+            }
+            states.push_back(bytesOf(tin));
+            const std::size_t back = source.below(3) == 0 ? source.below(std::uint32_t(edits.size())) % 30 : 0;
+            for (std::size_t k = 0; k < back; ++k) {
+                tin.swap(edits[edits.size() - 1 - k]);
+                QVERIFY(bytesOf(tin) == states[states.size() - 2 - k]);
+            }
+            if (back > 0)
+                QVERIFY(findDefects(tin).empty());
+            if (source.below(2)) { // another future
+                edits.resize(edits.size() - back);
+                states.resize(states.size() - back);
+                continue;
+            }
+            for (std::size_t k = back; k-- > 0;) {
+                tin.swap(edits[edits.size() - 1 - k]);
+                QVERIFY(bytesOf(tin) == states[states.size() - 1 - k]);
+            }
+        }
+        while (!edits.empty()) {
+            tin.swap(edits.back());
+            edits.pop_back();
+            states.pop_back();
+            QVERIFY(bytesOf(tin) == states.back());
+        }
+        QVERIFY(findDefects(tin).empty());
+    }
+
+    void whatIsNotCommittedIsUndone()
+    {
+        tests::PointSource source(tests::Ground::Random, 4);
+        auto built = buildTin(source.points(100), source.domain());
+        const std::string before = bytesOf(built->tin);
+        {
+            TinEdit edit(built->tin);
+            for (int i = 0; i < 50; ++i)
+                tests::randomStep(edit, source);
+        }
+        QVERIFY(bytesOf(built->tin) == before);
+        // And what follows does not depend on it having been there.
+        auto fresh = buildTin(tests::PointSource(tests::Ground::Random, 4).points(100), source.domain());
+        for (Tin *tin : {&built->tin, &fresh->tin}) {
+            tests::PointSource steps(tests::Ground::Random, 99);
+            TinEdit edit(*tin);
+            for (int i = 0; i < 50; ++i)
+                tests::randomStep(edit, steps);
+            edit.commit();
+        }
+        QVERIFY(bytesOf(built->tin) == bytesOf(fresh->tin));
+    }
+
+    void dirtyRangesHoldEveryChange()
+    {
+        tests::PointSource source(tests::Ground::Grid, 8);
+        auto built = buildTin(source.points(60), source.domain());
+        Tin &tin = built->tin;
+        for (int i = 0; i < 200; ++i) {
+            const Tin before = tin;
+            Edit edit = [&] {
+                TinEdit open(tin);
+                tests::randomStep(open, source);
+                return open.commit();
+            }();
+            for (const TinPart part : {TinPart::Points, TinPart::Heights, TinPart::Areas, TinPart::Triangles}) {
+                const std::vector<std::uint32_t> changed = changedSlots(before.arrays(), tin.arrays(), part);
+                std::vector<std::uint32_t> dirty;
+                std::uint32_t end = 0;
+                for (const SlotRange &range : edit.dirtyRanges(part)) {
+                    QVERIFY(range.count > 0 && (dirty.empty() || range.first > end)); // ascending, joined
+                    for (end = range.first; end < range.first + range.count; ++end)
+                        dirty.push_back(end);
+                }
+                QVERIFY(std::includes(dirty.begin(), dirty.end(), changed.begin(), changed.end()));
+                QVERIFY(dirty.size() <= changed.size() + 60); // written, but with what was there
+            }
+            QCOMPARE(edit.isEmpty(), bytesOf(before) == bytesOf(tin));
+            QVERIFY(edit.byteSize() >= sizeof(Edit));
+        }
+    }
+
+    void aHeightCostsAFewBytes()
+    {
+        Tin tin(Rectangle{{0, 0}, {1, 1}});
+        TinEdit edit(tin);
+        edit.setHeight(2, 5);
+        const Edit done = edit.commit();
+        QVERIFY(done.byteSize() < sizeof(Edit) + 100);
+        QCOMPARE(done.dirtyRanges(TinPart::Heights), (std::vector<SlotRange>{{2, 1}}));
+        QVERIFY(done.dirtyRanges(TinPart::Triangles).empty());
+    }
+
+    void aCopyIsASnapshot()
+    {
+        tests::PointSource source(tests::Ground::Random, 4);
+        auto built = buildTin(source.points(100), source.domain());
+        const Tin snapshot = built->tin;
+        const std::string before = bytesOf(built->tin);
+        TinEdit edit(built->tin);
+        for (int i = 0; i < 50; ++i)
+            tests::randomStep(edit, source);
+        edit.commit();
+        QVERIFY(bytesOf(snapshot) == before);
+        QVERIFY(findDefects(snapshot).empty());
+        QVERIFY(bytesOf(built->tin) != before);
+    }
+};
+
+SANDREEL_TEST(TestJournal)
+#include "tst_journal.moc"
