@@ -5,11 +5,11 @@
 
 #include "model/animation/settingsfields.h"
 #include "model/codec/coddyac/coddyaccodec.h"
-#include "model/codec/container.h"
+#include "model/codec/container/container.h"
+#include "model/codec/container/syntax.h"
 #include "model/codec/direct/directcodec.h"
-#include "model/codec/pcacodec.h"
+#include "model/codec/pca/pcacodec.h"
 #include "model/codec/reel/reelcodec.h"
-#include "model/codec/syntax.h"
 
 namespace model::codec {
 

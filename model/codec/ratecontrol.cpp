@@ -2,7 +2,7 @@
 #include "model/codec/ratecontrol.h"
 
 #include "model/animation/settingsfields.h"
-#include "model/codec/syntax.h"
+#include "model/codec/container/syntax.h"
 
 #include <cassert>
 #include <cmath>

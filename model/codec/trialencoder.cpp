@@ -3,7 +3,7 @@
 
 #include "model/codec/coddyac/coddyaccodec.h"
 #include "model/codec/direct/directtrials.h"
-#include "model/codec/pcacodec.h"
+#include "model/codec/pca/pcacodec.h"
 #include "model/codec/reel/reelcodec.h"
 
 namespace model::codec {

@@ -3,7 +3,7 @@
 
 #include "model/animation/editedframes.h"
 #include "model/animation/settingsfields.h"
-#include "model/codec/progressivereader.h"
+#include "model/codec/container/progressivereader.h"
 #include "model/io/failure.h"
 #include "model/io/filebuffer.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/animation/settingsfields.h"
-#include "model/codec/kernels.h"
+#include "model/codec/basis/kernels.h"
 #include "model/codec/ratecontrol.h"
 #include "model/io/animationreader.h"
 #include "tests/model/codec/animations.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/connectivity/connectivitystage.h"
-#include "model/codec/rangecoder.h"
+#include "model/codec/entropy/rangecoder.h"
 #include "model/codec/ratecontrol.h"
 #include "model/io/animationreader.h"
 #include "tests/model/codec/animations.h"

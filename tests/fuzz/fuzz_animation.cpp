@@ -2,7 +2,7 @@
 // A whole file of one codec (SANDREEL_FUZZ_CODEC), opened and played.
 #include "model/base/parallel.h"
 #include "model/codec/animationcodec.h"
-#include "model/codec/container.h"
+#include "model/codec/container/container.h"
 #include "tests/fuzz/animbytes.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scarcity.h"

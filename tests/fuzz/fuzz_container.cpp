@@ -2,7 +2,7 @@
 // Chunks and header; the codecs only as far as they refuse.
 #include "model/base/parallel.h"
 #include "model/codec/animationcodec.h"
-#include "model/codec/container.h"
+#include "model/codec/container/container.h"
 #include "tests/fuzz/animbytes.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scarcity.h"

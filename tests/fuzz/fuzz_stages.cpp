@@ -2,11 +2,11 @@
 // The other stages, each without the file around it: streams that are anything, and any integers there and back.
 // Input: a byte that says which stage, one that says whether a stream follows or integers, a byte of columns, those.
 #include "model/base/parallel.h"
-#include "model/codec/bandstage.h"
 #include "model/codec/coddyac/lanestage.h"
 #include "model/codec/coddyac/parallelogramstage.h"
 #include "model/codec/direct/framecoder.h"
-#include "model/codec/indexstage.h"
+#include "model/codec/entropy/bandstage.h"
+#include "model/codec/entropy/indexstage.h"
 #include "model/codec/reel/reelstream.h"
 #include "tests/fuzz/bytesource.h"
 #include "tests/fuzz/require.h"

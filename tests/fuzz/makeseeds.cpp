@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes what the fuzzers start from: fuzz_seeds FOLDER makes FOLDER/<fuzzer>/<name>. Golden files come on top.
-#include "model/codec/bandstage.h"
 #include "model/codec/coddyac/lanestage.h"
 #include "model/codec/connectivity/connectivitystage.h"
 #include "model/codec/connectivity/vertexorder.h"
-#include "model/codec/indexstage.h"
+#include "model/codec/entropy/bandstage.h"
+#include "model/codec/entropy/indexstage.h"
 #include "tests/fuzz/animbytes.h"
 #include "tests/model/codec/animations.h"
 

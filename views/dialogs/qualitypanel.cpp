@@ -44,11 +44,6 @@ double qualityOf(int sliderValue)
     return double(sliderValue) / SliderSteps;
 }
 
-QString percentText(double percent)
-{
-    return QStringLiteral("%1 %").arg(significantText(percent));
-}
-
 } // namespace
 
 QualityPanel::QualityPanel(QWidget *parent)

@@ -35,6 +35,11 @@ QString significantText(double value)
     return QLocale().toString(value, 'g', 4);
 }
 
+QString percentText(double percent)
+{
+    return significantText(percent) + QStringLiteral("\u00a0%");
+}
+
 QString countText(std::uint64_t count)
 {
     return QLocale().toString(qulonglong(count));

@@ -12,6 +12,8 @@ namespace views {
 QString numberText(double value, int decimals);
 /// About four significant digits: "0.001234", "12.35", "1.2e-09".
 QString significantText(double value);
+/// "1.172 %", never broken between number and sign.
+QString percentText(double percent);
 /// "12,345"
 QString countText(std::uint64_t count);
 /// "4.5 MB"

@@ -30,11 +30,6 @@ qint64 timeStamp(const QString &path)
     return QFileInfo(path).lastModified().toMSecsSinceEpoch();
 }
 
-QString percentText(double percent)
-{
-    return QStringLiteral("%1 %").arg(significantText(percent));
-}
-
 QString ratioText(const EncodingReport &report)
 {
     return QStringLiteral("%1 : 1").arg(numberText(double(report.rawBytes) / double(report.fileBytes), 1));

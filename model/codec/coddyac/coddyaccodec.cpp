@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/coddyac/coddyaccodec.h"
 
-#include "model/base/digest.h"
+#include "model/codec/basis/productanimation.h"
 #include "model/codec/coddyac/coddyacencoder.h"
 #include "model/codec/coddyac/coddyacsyntax.h"
 #include "model/codec/coddyac/lanestage.h"
 #include "model/codec/coddyac/parallelogramstage.h"
 #include "model/codec/connectivity/vertexorder.h"
-#include "model/codec/memorylimit.h"
-#include "model/codec/productanimation.h"
+#include "model/codec/container/memorylimit.h"
 
 namespace model::codec {
 
@@ -34,19 +33,13 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeCoddyac(Bytes file, const 
                                                               const DecodeLimits &limits, const Progress &progress)
 {
     using namespace coddyac;
-    std::vector<Chunk> chunks;
-    std::uint64_t digest = 0;
-    const bool keepsOrder = std::any_of(container.chunks.begin(), container.chunks.end(),
-                                        [](const Chunk &chunk) { return chunk.tag == OrderTag; });
-    for (const std::string_view tag : {ParametersTag, ConnectivityTag, MeansTag, BasisTag, CoefficientsTag, OrderTag}) {
-        if (tag == OrderTag && !keepsOrder)
-            continue;
-        Result<Chunk> chunk = container.only(tag);
-        if (!chunk)
-            return fail(std::move(chunk).error());
-        digest = digestOfArray(chunk->payload, digest);
-        chunks.push_back(std::move(*chunk));
-    }
+    const bool keepsOrder = container.has(OrderTag);
+    const Result<std::vector<Chunk>> parts =
+        keepsOrder ? container.each({ParametersTag, ConnectivityTag, MeansTag, BasisTag, CoefficientsTag, OrderTag})
+                   : container.each({ParametersTag, ConnectivityTag, MeansTag, BasisTag, CoefficientsTag});
+    if (!parts)
+        return fail(parts.error());
+    const std::vector<Chunk> &chunks = *parts;
     const Header &header = container.header;
 
     Parameters parameters;
@@ -104,7 +97,7 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeCoddyac(Bytes file, const 
         return fail(coefficients.error());
     if (!animation->isBounded())
         return fail(Error{ErrorCode::CorruptStream, {"coefficients"}, {}, Error::None, chunks[4].offset});
-    animation->setFile(std::move(file), digest);
+    animation->setFile(std::move(file), digestOf(chunks));
     progress.report(1);
     return animation;
 }

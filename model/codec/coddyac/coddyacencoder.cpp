@@ -44,14 +44,7 @@ Result<EncodedAnimation> CoddyacEncoder::encode(const CoddyacSettings &settings,
     if (!coefficients)
         return fail(coefficients.error());
 
-    Header header;
-    header.codec = std::uint8_t(CodecId::Coddyac);
-    header.vertexCount = mSource->vertexCount();
-    header.triangleCount = std::uint32_t(coded.connectivity.triangles.size());
-    header.frameCount = mSource->frameCount();
-    header.frameRate = mSource->frameRate();
-    header.creator = creatorName();
-    header.name = mSource->name();
+    const Header header = headerOf(*mSource, CodecId::Coddyac);
     SyntaxWriter syntax;
     Parameters parameters{settings, quantized->unit, quantized->rank, {}};
     parameters.fineness.assign(quantized->fineness.begin(), quantized->fineness.end());

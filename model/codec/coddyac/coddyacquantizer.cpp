@@ -9,7 +9,7 @@
 #include "model/base/parallel.h"
 #include "model/codec/coddyac/lanestage.h"
 #include "model/codec/coddyac/parallelogramstage.h"
-#include "model/codec/syntax.h"
+#include "model/codec/container/syntax.h"
 
 #include <atomic>
 #include <cmath>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/animation/compressionsettings.h"
+#include "model/codec/basis/principalbasis.h"
 #include "model/codec/connectivity/connectivitystage.h"
-#include "model/codec/principalbasis.h"
 
 namespace model::codec {
 

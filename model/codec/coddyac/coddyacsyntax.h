@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/animation/compressionsettings.h"
-#include "model/codec/container.h"
-#include "model/codec/syntax.h"
+#include "model/codec/container/container.h"
+#include "model/codec/container/syntax.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/base/progress.h"
-#include "model/codec/container.h"
+#include "model/codec/container/container.h"
 
 #include <functional>
 

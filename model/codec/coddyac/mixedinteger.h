@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/codec/bitmixer.h"
-#include "model/codec/integercoder.h"
+#include "model/codec/entropy/bitmixer.h"
+#include "model/codec/entropy/integercoder.h"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/base/progress.h"
-#include "model/codec/bandstage.h"
 #include "model/codec/connectivity/connectivitystage.h"
+#include "model/codec/entropy/bandstage.h"
 
 namespace model::codec {
 

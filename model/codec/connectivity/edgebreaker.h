@@ -4,7 +4,7 @@
 #include "model/base/progress.h"
 #include "model/codec/connectivity/connectivitystage.h"
 #include "model/codec/connectivity/queuedcoder.h"
-#include "model/codec/integercoder.h"
+#include "model/codec/entropy/integercoder.h"
 
 #include <optional>
 #include <type_traits>

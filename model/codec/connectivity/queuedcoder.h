@@ -3,7 +3,7 @@
 
 #include "model/base/taskqueue.h"
 #include "model/codec/connectivity/symbolmodel.h"
-#include "model/codec/rangecoder.h"
+#include "model/codec/entropy/rangecoder.h"
 
 #include <optional>
 #include <variant>

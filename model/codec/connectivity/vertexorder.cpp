@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/connectivity/vertexorder.h"
 
-#include "model/codec/integercoder.h"
+#include "model/codec/entropy/integercoder.h"
 
 #include <memory>
 

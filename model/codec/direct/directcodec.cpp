@@ -8,14 +8,13 @@
 // frame.
 #include "model/codec/direct/directcodec.h"
 
-#include "model/base/digest.h"
 #include "model/base/parallel.h"
+#include "model/codec/container/memorylimit.h"
+#include "model/codec/container/streams.h"
+#include "model/codec/container/syntax.h"
 #include "model/codec/direct/directanimation.h"
+#include "model/codec/entropy/indexstage.h"
 #include "model/codec/framestack.h"
-#include "model/codec/indexstage.h"
-#include "model/codec/memorylimit.h"
-#include "model/codec/streams.h"
-#include "model/codec/syntax.h"
 
 #include <atomic>
 #include <limits>
@@ -135,14 +134,7 @@ Result<EncodedAnimation> DirectEncoder::encode(const DirectSettings &settings, c
 
 EncodedAnimation DirectEncoder::assembled(const DirectSettings &settings, const std::vector<Bytes> &groups) const
 {
-    Header header;
-    header.codec = std::uint8_t(CodecId::Direct);
-    header.vertexCount = mSource->vertexCount();
-    header.triangleCount = std::uint32_t(mSource->connectivity().triangles.size());
-    header.frameCount = mSource->frameCount();
-    header.frameRate = mSource->frameRate();
-    header.creator = creatorName();
-    header.name = mSource->name();
+    const Header header = headerOf(*mSource, CodecId::Direct);
     const CellGrid grid = CellGrid::around(mFrames, settings.resolution);
     const Parameters parameters{settings.resolution,
                                 std::uint8_t(settings.predictor),
@@ -178,14 +170,11 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeDirect(Bytes file, const C
                                                              const DecodeLimits &limits, const Progress &progress)
 {
     DirectAnimation::Parts parts;
-    std::vector<Chunk> chunks;
-    for (const std::string_view tag : {ParametersTag, ConnectivityTag, FramesTag}) {
-        Result<Chunk> chunk = container.only(tag);
-        if (!chunk)
-            return fail(std::move(chunk).error());
-        parts.digest = digestOfArray(chunk->payload, parts.digest);
-        chunks.push_back(std::move(*chunk));
-    }
+    const Result<std::vector<Chunk>> found = container.each({ParametersTag, ConnectivityTag, FramesTag});
+    if (!found)
+        return fail(found.error());
+    const std::vector<Chunk> &chunks = *found;
+    parts.digest = digestOf(chunks);
     const Header &header = container.header;
 
     Parameters parameters;

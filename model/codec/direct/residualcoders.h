@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/codec/direct/prediction.h"
-#include "model/codec/integercoder.h"
+#include "model/codec/entropy/integercoder.h"
 
 namespace model::codec {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/codec/rangecoder.h"
+#include "model/codec/entropy/rangecoder.h"
 #include "model/codec/reel/coarsetofine.h"
 
 #include <Eigen/Core>

@@ -8,7 +8,7 @@
 #include "model/codec/reel/reelcodec.h"
 
 #include "model/codec/connectivity/vertexorder.h"
-#include "model/codec/memorylimit.h"
+#include "model/codec/container/memorylimit.h"
 #include "model/codec/reel/reeldecoder.h"
 
 #include <numeric>
@@ -53,14 +53,7 @@ EncodedAnimation assembleReel(const FrameSource &source, const ReelEncoder &enco
                               bool keepOrder)
 {
     const EncodedConnectivity &connectivity = encoder.connectivity();
-    Header header;
-    header.codec = std::uint8_t(CodecId::Reel);
-    header.vertexCount = source.vertexCount();
-    header.triangleCount = std::uint32_t(connectivity.coded.connectivity.triangles.size());
-    header.frameCount = source.frameCount();
-    header.frameRate = source.frameRate();
-    header.creator = creatorName();
-    header.name = source.name();
+    const Header header = headerOf(source, CodecId::Reel);
 
     const ReelNodes nodes{encoder.vertexNodes(), encoder.frameNodes()};
     std::vector<Point> places;
@@ -115,20 +108,15 @@ Result<EncodedAnimation> encodeReel(const FrameSource &source, const ReelSetting
 Result<std::shared_ptr<const DecodedAnimation>> decodeReel(Bytes file, const Container &container,
                                                            const DecodeLimits &limits, const Progress &progress)
 {
-    std::vector<Chunk> chunks;
-    for (const std::string_view tag : {ReelParametersTag, ReelConnectivityTag, ReelShapeTag, ReelBandsTag}) {
-        Result<Chunk> chunk = container.only(tag);
-        if (!chunk)
-            return fail(std::move(chunk).error());
-        chunks.push_back(std::move(*chunk));
-    }
-    const bool keepsOrder = container.has(ReelOrderTag);
-    const Result<Chunk> order = keepsOrder ? container.only(ReelOrderTag) : Chunk();
+    const Result<std::vector<Chunk>> parts =
+        container.each({ReelParametersTag, ReelConnectivityTag, ReelShapeTag, ReelBandsTag});
+    if (!parts)
+        return fail(parts.error());
+    const std::vector<Chunk> &chunks = *parts;
+    const Result<std::optional<Chunk>> order = container.optional(ReelOrderTag);
     if (!order)
         return fail(order.error());
-
-    const bool hasClusters = container.has(ReelClustersTag);
-    const Result<Chunk> clusters = hasClusters ? container.only(ReelClustersTag) : Chunk();
+    const Result<std::optional<Chunk>> clusters = container.optional(ReelClustersTag);
     if (!clusters)
         return fail(clusters.error());
 
@@ -141,8 +129,8 @@ Result<std::shared_ptr<const DecodedAnimation>> decodeReel(Bytes file, const Con
             .and_then([&] {
                 return decoder.readConnectivity(chunks[1], limit - file.size() - WorkingMemory, progress.part(0, 0.3));
             })
-            .and_then([&] { return keepsOrder ? decoder.readOrder(*order) : Result<void>(); })
-            .and_then([&] { return hasClusters ? decoder.readClusters(*clusters, chunks[2]) : Result<void>(); })
+            .and_then([&] { return *order ? decoder.readOrder(**order) : Result<void>(); })
+            .and_then([&] { return *clusters ? decoder.readClusters(**clusters, chunks[2]) : Result<void>(); })
             .and_then([&] { return decoder.readShape(chunks[2], progress.part(0.3, 0.4)); })
             .and_then(
                 [&] { return decoder.readBands(chunks[3].payload, chunks[3].offset, true, progress.part(0.4, 1)); });

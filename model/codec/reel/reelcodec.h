@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/codec/animationcodec.h"
-#include "model/codec/container.h"
+#include "model/codec/container/container.h"
 #include "model/codec/reel/reelencoder.h"
 #include "model/codec/trialencoder.h"
 

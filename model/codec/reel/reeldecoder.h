@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/codec/basis/productanimation.h"
 #include "model/codec/connectivity/connectivitystage.h"
-#include "model/codec/productanimation.h"
 #include "model/codec/reel/reelwalk.h"
 
 #include <optional>

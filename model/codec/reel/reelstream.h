@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/codec/container.h"
-#include "model/codec/integercoder.h"
+#include "model/codec/container/container.h"
+#include "model/codec/container/syntax.h"
+#include "model/codec/entropy/integercoder.h"
 #include "model/codec/reel/bandcoder.h"
 #include "model/codec/reel/shapecoder.h"
-#include "model/codec/syntax.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 #include "model/codec/reel/trajectories.h"
 
 #include "model/base/parallel.h"
-#include "model/codec/eigenvectors.h"
-#include "model/codec/gram.h"
-#include "model/codec/kernels.h"
+#include "model/codec/basis/eigenvectors.h"
+#include "model/codec/basis/gram.h"
+#include "model/codec/basis/kernels.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>

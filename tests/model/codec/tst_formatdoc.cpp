@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/animationcodec.h"
 #include "model/codec/connectivity/connectivitystage.h"
-#include "model/codec/container.h"
+#include "model/codec/container/container.h"
 #include "tests/model/codec/animations.h"
 #include "tests/model/codec/plain/plaindecoder.h"
 #include "tests/support/surfaces.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/animationcodec.h"
-#include "model/codec/progressivereader.h"
+#include "model/codec/container/progressivereader.h"
 #include "tests/model/codec/animations.h"
 #include "tests/support/realdata.h"
 #include "tests/support/testmain.h"

@@ -61,7 +61,7 @@ class TestQualityPanel final : public QObject
     static double expectedError(const PrepareDialog &dialog)
     {
         const QString text = textOf(dialog, "expected");
-        return QRegularExpression("KG error ([0-9.e-]+) %").match(text).captured(1).toDouble();
+        return QRegularExpression("KG error ([0-9.e-]+)\u00a0%").match(text).captured(1).toDouble();
     }
 
 private slots:

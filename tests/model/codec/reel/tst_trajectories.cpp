@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/codec/gram.h"
+#include "model/codec/basis/gram.h"
 #include "model/codec/reel/trajectories.h"
 #include "tests/model/codec/animations.h"
 #include "tests/support/testmain.h"
