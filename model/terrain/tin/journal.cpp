@@ -44,14 +44,17 @@ std::size_t Edit::byteSize() const
 {
     return sizeof(Edit) + bytesOf(mPoints) + bytesOf(mHeights) + bytesOf(mAreas) + bytesOf(mLinks) +
            bytesOf(mTriangles) + bytesOf(mRecords) + bytesOf(mTail.points) + bytesOf(mTail.heights) +
-           bytesOf(mTail.areas) + bytesOf(mTail.links) + bytesOf(mTail.triangles) + bytesOf(mTail.records);
+           bytesOf(mTail.areas) + bytesOf(mTail.thicknesses) + bytesOf(mTail.humidities) + bytesOf(mColumns.vertices) +
+           bytesOf(mColumns.thicknesses) + bytesOf(mColumns.humidities) +
+           (mAllColumns ? mAllColumns->thicknesses.byteSize() + mAllColumns->humidities.byteSize() : 0) +
+           bytesOf(mTail.links) + bytesOf(mTail.triangles) + bytesOf(mTail.records);
 }
 
 bool Edit::isEmpty() const
 {
     return mPoints.empty() && mHeights.empty() && mAreas.empty() && mLinks.empty() && mTriangles.empty() &&
-           mRecords.empty() && mBefore.vertices == mAfter.vertices && mBefore.triangles == mAfter.triangles &&
-           mBefore.records == mAfter.records;
+           mRecords.empty() && mColumns.vertices.empty() && !mChangesLayers && mBefore.vertices == mAfter.vertices &&
+           mBefore.triangles == mAfter.triangles && mBefore.records == mAfter.records;
 }
 
 std::vector<SlotRange> Edit::dirtyRanges(TinPart part) const
@@ -62,6 +65,8 @@ std::vector<SlotRange> Edit::dirtyRanges(TinPart part) const
         for (const auto &entry : saved)
             slots.push_back(entry.slot);
     };
+    if (part == TinPart::Layers && mAllColumns)
+        return mAfter.vertices ? std::vector<SlotRange>{{0, mAfter.vertices}} : std::vector<SlotRange>{};
     switch (part) {
     case TinPart::Points:
         collect(mPoints);
@@ -74,6 +79,9 @@ std::vector<SlotRange> Edit::dirtyRanges(TinPart part) const
         break;
     case TinPart::Triangles:
         collect(mTriangles);
+        break;
+    case TinPart::Layers:
+        slots = mColumns.vertices;
         break;
     }
     std::sort(slots.begin(), slots.end());
@@ -104,6 +112,7 @@ void Journal::begin(const TinArrays &tin)
     mSeenPoints.resize(mBase.vertices);
     mSeenHeights.resize(mBase.vertices);
     mSeenAreas.resize(mBase.vertices);
+    mSeenColumns.resize(tin.layerCount() ? mBase.vertices : 0);
     mSeenLinks.resize(mBase.vertices);
     mSeenTriangles.resize(mBase.triangles);
     mSeenRecords.resize(mBase.records);
@@ -122,6 +131,9 @@ Edit Journal::end(const TinArrays &tin)
     clear(mSeenPoints, mEdit.mPoints);
     clear(mSeenHeights, mEdit.mHeights);
     clear(mSeenAreas, mEdit.mAreas);
+    for (const VertexId v : mEdit.mColumns.vertices)
+        mSeenColumns.clear(v);
+    mEdit.mChangesLayers = !(mEdit.mTotals.layers == tin.totals.layers);
     clear(mSeenLinks, mEdit.mLinks);
     clear(mSeenTriangles, mEdit.mTriangles);
     clear(mSeenRecords, mEdit.mRecords);
@@ -142,11 +154,61 @@ void Journal::write(TinArrays &tin, TriangleId t, const Edit::Triangle &triangle
     tin.triangleFlags[t] = triangle.flags;
 }
 
+void Journal::saveColumn(const TinArrays &tin, VertexId v)
+{
+    Edit::Columns &columns = mEdit.mColumns;
+    columns.vertices.push_back(v);
+    const std::size_t from = tin.layerSlot(v, 0), to = tin.layerSlot(v + 1, 0);
+    columns.thicknesses.insert(columns.thicknesses.end(), tin.thicknesses.data() + from, tin.thicknesses.data() + to);
+    columns.humidities.insert(columns.humidities.end(), tin.humidities.data() + from, tin.humidities.data() + to);
+}
+
+void Journal::touchAllColumns(const TinArrays &tin)
+{
+    if (mEdit.mAllColumns)
+        return;
+    // As they were before the edit: with what it saved put back, and without what it added.
+    Edit::AllColumns all{tin.thicknesses, tin.humidities};
+    const std::uint32_t count = tin.layerCount();
+    all.thicknesses.resize(std::size_t(mBase.vertices) * count);
+    all.humidities.resize(std::size_t(mBase.vertices) * count);
+    Edit::Columns &columns = mEdit.mColumns;
+    for (std::size_t i = 0; i < columns.vertices.size(); ++i) {
+        std::copy_n(columns.thicknesses.data() + i * count, count,
+                    all.thicknesses.data() + tin.layerSlot(columns.vertices[i], 0));
+        std::copy_n(columns.humidities.data() + i * count, count,
+                    all.humidities.data() + tin.layerSlot(columns.vertices[i], 0));
+        mSeenColumns.clear(columns.vertices[i]);
+    }
+    columns = {};
+    mEdit.mAllColumns = std::move(all);
+}
+
+void Journal::swapColumns(TinArrays &tin, Edit &edit)
+{
+    if (edit.mAllColumns) {
+        std::swap(edit.mAllColumns->thicknesses, tin.thicknesses);
+        std::swap(edit.mAllColumns->humidities, tin.humidities);
+        return;
+    }
+    const std::uint32_t count = tin.layerCount();
+    for (std::size_t i = 0; i < edit.mColumns.vertices.size(); ++i) {
+        const std::size_t at = tin.layerSlot(edit.mColumns.vertices[i], 0);
+        std::swap_ranges(tin.thicknesses.data() + at, tin.thicknesses.data() + at + count,
+                         edit.mColumns.thicknesses.data() + i * count);
+        std::swap_ranges(tin.humidities.data() + at, tin.humidities.data() + at + count,
+                         edit.mColumns.humidities.data() + i * count);
+    }
+}
+
 void Journal::swap(TinArrays &tin, Edit &edit)
 {
     [[maybe_unused]] const Edit::Slots &side = edit.mIsUndone ? edit.mBefore : edit.mAfter;
     assert(tin.vertexSlots() == side.vertices && tin.triangleSlots() == side.triangles &&
            tin.records.size() == side.records && "the TIN is on neither side of the edit");
+    // The number of layers first: what follows resizes columns by it.
+    std::swap(edit.mTotals, tin.totals);
+    swapColumns(tin, edit);
     if (!edit.mIsUndone)
         takeTail(tin, edit);
     swapSlots(edit.mPoints, tin.points);
@@ -164,7 +226,6 @@ void Journal::swap(TinArrays &tin, Edit &edit)
     swapSlots(edit.mRecords, tin.records);
     if (edit.mIsUndone)
         giveTail(tin, edit);
-    std::swap(edit.mTotals, tin.totals);
     edit.mIsUndone = !edit.mIsUndone;
 }
 
@@ -179,6 +240,10 @@ void Journal::takeTail(TinArrays &tin, Edit &edit)
     moveTail(tin.heights, edit.mBefore.vertices, tail.heights);
     moveTail(tin.areas, edit.mBefore.vertices, tail.areas);
     moveTail(tin.records, edit.mBefore.records, tail.records);
+    if (!edit.mAllColumns) {
+        moveTail(tin.thicknesses, tin.layerSlot(edit.mBefore.vertices, 0), tail.thicknesses);
+        moveTail(tin.humidities, tin.layerSlot(edit.mBefore.vertices, 0), tail.humidities);
+    }
     tin.resizeVertices(edit.mBefore.vertices);
     tin.resizeTriangles(edit.mBefore.triangles);
 }
@@ -190,6 +255,8 @@ void Journal::giveTail(TinArrays &tin, Edit &edit)
     appendTail(tin.heights, tail.heights);
     appendTail(tin.areas, tail.areas);
     appendTail(tin.records, tail.records);
+    appendTail(tin.thicknesses, tail.thicknesses);
+    appendTail(tin.humidities, tail.humidities);
     tin.resizeVertices(edit.mAfter.vertices);
     tin.resizeTriangles(edit.mAfter.triangles);
     for (std::size_t i = 0; i < tail.links.size(); ++i) {
@@ -203,8 +270,8 @@ void Journal::giveTail(TinArrays &tin, Edit &edit)
 
 std::size_t Journal::byteSize() const
 {
-    return mSeenPoints.byteSize() + mSeenHeights.byteSize() + mSeenAreas.byteSize() + mSeenLinks.byteSize() +
-           mSeenTriangles.byteSize() + mSeenRecords.byteSize() + mNotedAreas.byteSize();
+    return mSeenPoints.byteSize() + mSeenColumns.byteSize() + mSeenHeights.byteSize() + mSeenAreas.byteSize() +
+           mSeenLinks.byteSize() + mSeenTriangles.byteSize() + mSeenRecords.byteSize() + mNotedAreas.byteSize();
 }
 
 } // namespace model::terrain

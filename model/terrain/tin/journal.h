@@ -3,6 +3,7 @@
 
 #include "model/terrain/tin/tinarrays.h"
 
+#include <optional>
 #include <vector>
 
 namespace model::terrain {
@@ -16,7 +17,7 @@ struct SlotRange
 };
 
 /// What of the TIN's memory is asked about.
-enum class TinPart : std::uint8_t { Points, Heights, Areas, Triangles };
+enum class TinPart : std::uint8_t { Points, Heights, Areas, Triangles, Layers };
 
 /// One finished change of a TIN, as a value: the bytes of every slot that it wrote, as they are on the other side of
 /// the change. Tin::swap() exchanges the two sides: undo and redo are the same swap, and exact to the byte.
@@ -53,11 +54,25 @@ private:
     {
         std::uint32_t vertices = 0, triangles = 0, records = 0;
     };
+    /// The layers of vertices, as many values for each as there are layers.
+    struct Columns
+    {
+        std::vector<VertexId> vertices;
+        std::vector<double> thicknesses;
+        std::vector<float> humidities;
+    };
+    /// All layers of all vertices: what an edit keeps that changes the number of layers.
+    struct AllColumns
+    {
+        FlatArray<double> thicknesses;
+        FlatArray<float> humidities;
+    };
     /// The slots that only the side after the edit has, while the TIN is on the other.
     struct Tail
     {
         std::vector<Point2> points;
-        std::vector<double> heights, areas;
+        std::vector<double> heights, areas, thicknesses;
+        std::vector<float> humidities;
         std::vector<Links> links;
         std::vector<Triangle> triangles;
         std::vector<ConstraintRecord> records;
@@ -66,12 +81,15 @@ private:
     std::vector<Saved<Point2>> mPoints;
     std::vector<Saved<double>> mHeights;
     std::vector<Saved<double>> mAreas;
+    Columns mColumns;
+    std::optional<AllColumns> mAllColumns; ///< instead of mColumns and the tail's
     std::vector<Saved<Links>> mLinks;
     std::vector<Saved<Triangle>> mTriangles;
     std::vector<Saved<ConstraintRecord>> mRecords;
     Tail mTail;
     TinTotals mTotals;
     Slots mBefore, mAfter;
+    bool mChangesLayers = false; ///< how many there are, or what they are made of
     bool mIsUndone = false;
 };
 
@@ -103,6 +121,13 @@ public:
         if (v < mBase.vertices && mSeenAreas.set(v))
             mEdit.mAreas.push_back({v, tin.areas[v]});
     }
+    void touchColumn(const TinArrays &tin, VertexId v)
+    {
+        if (v < mBase.vertices && !mEdit.mAllColumns && mSeenColumns.set(v))
+            saveColumn(tin, v);
+    }
+    /// Before the number of layers changes.
+    void touchAllColumns(const TinArrays &tin);
     void touchLinks(const TinArrays &tin, VertexId v)
     {
         if (v < mBase.vertices && mSeenLinks.set(v))
@@ -166,13 +191,15 @@ private:
     };
     static Edit::Triangle read(const TinArrays &tin, TriangleId t);
     static void write(TinArrays &tin, TriangleId t, const Edit::Triangle &triangle);
+    void saveColumn(const TinArrays &tin, VertexId v);
+    static void swapColumns(TinArrays &tin, Edit &edit);
     static void takeTail(TinArrays &tin, Edit &edit);
     static void giveTail(TinArrays &tin, Edit &edit);
 
     bool mIsRecording = false;
     Edit::Slots mBase;
     Edit mEdit;
-    Bits mSeenPoints, mSeenHeights, mSeenAreas, mSeenLinks, mSeenTriangles, mSeenRecords, mNotedAreas;
+    Bits mSeenPoints, mSeenHeights, mSeenAreas, mSeenColumns, mSeenLinks, mSeenTriangles, mSeenRecords, mNotedAreas;
 };
 
 } // namespace model::terrain

@@ -27,6 +27,7 @@ struct Ledger
     CompensatedSum added;   ///< by raised vertices, at least 0
     CompensatedSum removed; ///< by lowered vertices, at least 0
     CompensatedSum moved;   ///< from vertex to vertex, at least 0
+    CompensatedSum pressed; ///< out of layers that were compacted, at least 0: their mass stayed
     CompensatedSum kept;    ///< changes of the surface by edits that do not give their volume back, either sign
 
     /// What the volume has to be now.
@@ -35,6 +36,8 @@ struct Ledger
         CompensatedSum total = added;
         total.add(-removed.sum);
         total.add(-removed.lost);
+        total.add(-pressed.sum);
+        total.add(-pressed.lost);
         total.add(kept.sum);
         total.add(kept.lost);
         total.add(start);

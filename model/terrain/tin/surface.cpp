@@ -14,6 +14,14 @@ double cross(Point2 a, Point2 b, Point2 c)
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// How far along the edge of `c` a point on it lies, 0 ... 1.
+double shareOn(const TinArrays &tin, Corner c, Point2 p)
+{
+    const Point2 a = tin.pointAt(next(c)), b = tin.pointAt(previous(c));
+    const bool isFlat = std::abs(b.x - a.x) > std::abs(b.y - a.y);
+    return std::clamp(isFlat ? (p.x - a.x) / (b.x - a.x) : (p.y - a.y) / (b.y - a.y), 0.0, 1.0);
+}
+
 } // namespace
 
 double heightIn(const TinArrays &tin, TriangleId t, Point2 p)
@@ -29,11 +37,26 @@ double heightIn(const TinArrays &tin, TriangleId t, Point2 p)
 
 double heightOn(const TinArrays &tin, Corner c, Point2 p)
 {
-    const VertexId u = tin.vertex(next(c)), w = tin.vertex(previous(c));
-    const Point2 a = tin.points[u], b = tin.points[w];
-    const bool isFlat = std::abs(b.x - a.x) > std::abs(b.y - a.y);
-    const double along = isFlat ? (p.x - a.x) / (b.x - a.x) : (p.y - a.y) / (b.y - a.y);
-    return tin.heights[u] + std::clamp(along, 0.0, 1.0) * (tin.heights[w] - tin.heights[u]);
+    const double from = tin.heights[tin.vertex(next(c))], to = tin.heights[tin.vertex(previous(c))];
+    return from + shareOn(tin, c, p) * (to - from);
+}
+
+Weights weightsIn(const TinArrays &tin, TriangleId t, Point2 p)
+{
+    const VertexId *const v = tin.triangleVertices.data() + 3 * std::size_t(t);
+    const Point2 a = tin.points[v[0]], b = tin.points[v[1]], c = tin.points[v[2]];
+    const double wa = std::max(0.0, cross(b, c, p)), wb = std::max(0.0, cross(c, a, p)),
+                 wc = std::max(0.0, cross(a, b, p));
+    const double sum = wa + wb + wc;
+    if (!(sum > 0))
+        return {{v[0], v[1], v[2]}, {1, 0, 0}};
+    return {{v[0], v[1], v[2]}, {wa / sum, wb / sum, wc / sum}};
+}
+
+Weights weightsOn(const TinArrays &tin, Corner c, Point2 p)
+{
+    const double share = shareOn(tin, c, p);
+    return {{tin.vertex(next(c)), tin.vertex(previous(c)), None}, {1 - share, share, 0}};
 }
 
 Gradient gradientOf(const TinArrays &tin, TriangleId t)

@@ -15,6 +15,14 @@ struct Gradient
 double heightIn(const TinArrays &tin, TriangleId t, Point2 p);
 /// The same of the edge of `c`, for a point on it: a thin triangle would not say it well.
 double heightOn(const TinArrays &tin, Corner c, Point2 p);
+/// Of which vertices a point of the surface is the mean, and with which weights. They add up to 1.
+struct Weights
+{
+    VertexId vertices[3] = {None, None, None};
+    double weights[3] = {1, 0, 0};
+};
+Weights weightsIn(const TinArrays &tin, TriangleId t, Point2 p);
+Weights weightsOn(const TinArrays &tin, Corner c, Point2 p);
 Gradient gradientOf(const TinArrays &tin, TriangleId t);
 /// The angle between the triangle and the horizontal plane, in radians.
 double slopeOf(const TinArrays &tin, TriangleId t);

@@ -77,6 +77,14 @@ double Tin::volume() const
     return sum.value();
 }
 
+double Tin::layerVolume(std::uint32_t layer) const
+{
+    CompensatedSum sum;
+    for (VertexId v = 0; v < mArrays.vertexSlots(); ++v)
+        sum.add(mArrays.thicknesses[mArrays.layerSlot(v, layer)] * mArrays.areas[v]);
+    return sum.value();
+}
+
 void Tin::swap(Edit &edit)
 {
     assert(!mJournal.isRecording());
@@ -95,6 +103,8 @@ std::uint64_t Tin::fingerprint() const
     digest = digestOfArray(mArrays.areas.values(), digest);
     digest = digestOfArray(mArrays.corners.values(), digest);
     digest = digestOfArray(mArrays.constraints.values(), digest);
+    digest = digestOfArray(mArrays.thicknesses.values(), digest);
+    digest = digestOfArray(mArrays.humidities.values(), digest);
     digest = digestOfArray(mArrays.triangleVertices.values(), digest);
     digest = digestOfArray(mArrays.opposites.values(), digest);
     digest = digestOfArray(mArrays.triangleFlags.values(), digest);

@@ -45,6 +45,8 @@ public:
     const Ledger &ledger() const { return mArrays.totals.ledger; }
     /// The volume between the surface and height 0, void triangles left out. Cost: O(n).
     double volume() const;
+    /// The volume of a mobile layer. Cost: O(n).
+    double layerVolume(std::uint32_t layer) const;
 
     /// Undoes an edit that is done, or does one that is undone: exact to the byte of every array.
     /// Precondition: the edits since it have been undone, in order; no edit is open.

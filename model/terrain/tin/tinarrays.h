@@ -3,6 +3,7 @@
 
 #include "model/terrain/tin/flatarray.h"
 #include "model/terrain/tin/ids.h"
+#include "model/terrain/tin/layers.h"
 #include "model/terrain/tin/ledger.h"
 
 namespace model::terrain {
@@ -39,8 +40,12 @@ struct TinTotals
     std::uint32_t freeVertex = NoFreeVertex;
     std::uint32_t freeTriangle = None;
     std::uint32_t freeRecord = None;
+    LayerTable layers;
     Ledger ledger;
+    /// By how much tools pressed each layer together, in cubic metres: its volume and this make up its mass.
+    CompensatedSum compacted[MaxLayers];
 };
+static_assert(sizeof(TinTotals) == 40 + sizeof(Ledger) + sizeof(TinTotals::compacted), "digests read every byte");
 
 /// The memory of a TIN. Ids are slots of these arrays; a slot that is free keeps its id for the next one.
 struct TinArrays
@@ -51,6 +56,10 @@ struct TinArrays
     FlatArray<double> areas;              ///< a third of the area of the vertex' triangles, void ones left out
     FlatArray<Corner> corners;            ///< one corner at the vertex
     FlatArray<std::uint32_t> constraints; ///< its first constraint record
+    // For each vertex and layer: layerCount() values of a vertex side by side, from the bedrock up. Empty without
+    // layers.
+    FlatArray<double> thicknesses; ///< metres, at least 0
+    FlatArray<float> humidities;   ///< 0 ... 1
     // For each triangle, three at a time; a free triangle has vertices 0, 0, 0 and its first opposite is the next free
     // one.
     FlatArray<VertexId> triangleVertices;
@@ -62,6 +71,24 @@ struct TinArrays
 
     std::uint32_t vertexSlots() const { return std::uint32_t(corners.size()); }
     std::uint32_t triangleSlots() const { return std::uint32_t(triangleFlags.size()); }
+
+    std::uint32_t layerCount() const { return totals.layers.count; }
+    /// Where the values of a layer at a vertex lie in `thicknesses` and `humidities`.
+    std::size_t layerSlot(VertexId v, std::uint32_t layer) const { return std::size_t(v) * layerCount() + layer; }
+    LayerSample sample(VertexId v, std::uint32_t layer) const
+    {
+        return {thicknesses[layerSlot(v, layer)], humidities[layerSlot(v, layer)]};
+    }
+    /// What lies on the bedrock at `v`: the thickness of all its layers.
+    double cover(VertexId v) const
+    {
+        double sum = 0;
+        for (std::uint32_t l = 0; l < layerCount(); ++l)
+            sum += thicknesses[layerSlot(v, l)];
+        return sum;
+    }
+    /// The height of what never moves. Without layers that is the surface.
+    double bedrock(VertexId v) const { return heights[v] - cover(v); }
 
     bool isVertex(VertexId v) const { return v < corners.size() && !(corners[v] & FreeVertexBit); }
     bool isTriangle(TriangleId t) const { return t < triangleFlags.size() && !(triangleFlags[t] & FreeTriangle); }
@@ -101,6 +128,8 @@ struct TinArrays
         areas.resize(count);
         corners.resize(count);
         constraints.resize(count);
+        thicknesses.resize(count * layerCount());
+        humidities.resize(count * layerCount());
     }
     void resizeTriangles(std::size_t count)
     {
@@ -122,7 +151,8 @@ struct TinArrays
     std::size_t byteSize() const
     {
         return points.byteSize() + heights.byteSize() + areas.byteSize() + corners.byteSize() + constraints.byteSize() +
-               triangleVertices.byteSize() + opposites.byteSize() + triangleFlags.byteSize() + records.byteSize();
+               thicknesses.byteSize() + humidities.byteSize() + triangleVertices.byteSize() + opposites.byteSize() +
+               triangleFlags.byteSize() + records.byteSize();
     }
 };
 

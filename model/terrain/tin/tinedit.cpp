@@ -39,17 +39,25 @@ VertexId TinEdit::insert(Point2 p, VertexId near)
     const Location location = mTin.locate(p, near);
     if (location.kind == Location::Kind::Vertex)
         return mArrays.vertex(location.corner);
+    const bool hasLayers = mArrays.layerCount() > 0;
+    Weights weights;
     VertexId v = None;
     if (location.kind == Location::Kind::Edge) {
+        if (hasLayers)
+            weights = weightsOn(mArrays, location.corner, p);
         const VertexId a = mArrays.vertex(next(location.corner)), b = mArrays.vertex(previous(location.corner));
         v = mWriter.addVertex(p, heightOn(mArrays, location.corner, p));
         mWriter.splitEdge(location.corner, v);
         if (mArrays.constraints[a] != None)
             splitRecords(mWriter, a, b, v);
     } else {
+        if (hasLayers)
+            weights = weightsIn(mArrays, triangleOf(location.corner), p);
         v = mWriter.addVertex(p, heightIn(mArrays, triangleOf(location.corner), p));
         mWriter.splitTriangle(triangleOf(location.corner), v);
     }
+    if (hasLayers)
+        mWriter.setColumn(v, weights);
     mWriter.restoreDelaunayAround(v);
     mTin.mHints.note(v, p);
     return v;
@@ -88,17 +96,7 @@ void TinEdit::setHeight(VertexId v, double height)
         ledger.added.add(volume);
     else
         ledger.removed.add(-volume);
-    mWriter.setHeight(v, height);
-}
-
-void TinEdit::transfer(VertexId from, VertexId to, double volume)
-{
-    assert(mIsOpen);
-    const double fromArea = areaOf(from), toArea = areaOf(to);
-    assert(fromArea > 0 && toArea > 0);
-    mWriter.setHeight(from, mArrays.heights[from] - volume / fromArea);
-    mWriter.setHeight(to, mArrays.heights[to] + volume / toArea);
-    mArrays.totals.ledger.moved.add(std::abs(volume));
+    mWriter.moveSurface(v, height);
 }
 
 double TinEdit::areaOf(VertexId v)
@@ -121,7 +119,7 @@ void TinEdit::giveBack(std::span<const VertexId> vertices, std::span<const doubl
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const VertexId v = vertices[i];
         const double before = mArrays.heights[v];
-        mWriter.setHeight(v, before + lift * (weights.empty() ? 1 : weights[i]));
+        mWriter.moveSurface(v, before + lift * (weights.empty() ? 1 : weights[i]));
         mWriter.leak.add((mArrays.heights[v] - before) * mArrays.areas[v]);
     }
 }

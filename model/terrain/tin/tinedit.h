@@ -60,10 +60,28 @@ public:
     /// Marks triangles as void or not. Edges between void and other triangles are constrained, for VoidOwner.
     void setVoid(std::span<const TriangleId> triangles, bool isVoid);
 
+    /// Upwards the top layer grows; downwards it is dug from the top layer into the next and at last into the bedrock.
     /// The ledger counts it as added or removed.
     void setHeight(VertexId v, double height);
-    /// Lowers `from` and raises `to` by what `volume` takes. The ledger counts it as moved.
+    /// Lowers `from` and raises `to` by what `volume` takes: each layer moves with its humidity, and bedrock becomes
+    /// part of the top layer. The ledger counts it as moved.
     void transfer(VertexId from, VertexId to, double volume);
+
+    /// Inserts an empty layer below the one that is `layer` now, or on top. `material` is an index into the terrain's
+    /// list. Cost: O(n). Precondition: `layer` <= their number < MaxLayers.
+    void addLayer(std::uint32_t layer, std::uint8_t material);
+    /// What the layer held becomes bedrock; the surface stays. Cost: O(n).
+    void removeLayer(std::uint32_t layer);
+    void setLayerMaterial(std::uint32_t layer, std::uint8_t material);
+    /// Says what a layer is at `v`. The surface stays where it is; the bedrock gives way.
+    /// Precondition: thickness finite and at least 0, humidity 0 ... 1.
+    void setLayer(VertexId v, std::uint32_t layer, LayerSample sample);
+    /// Puts that much more onto a layer, and the surface up by it. The ledger counts it as added.
+    void deposit(VertexId v, std::uint32_t layer, LayerSample sample);
+    /// Presses the layers at `v` together from the top, by up to `depth`: they lose volume and keep their mass. The
+    /// bedrock does not give way. Returns by how much the surface went down.
+    double press(VertexId v, double depth);
+
     /// The dual area of `v` as it is now.
     double areaOf(VertexId v);
 

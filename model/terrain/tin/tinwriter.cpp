@@ -43,6 +43,8 @@ VertexId TinWriter::addVertex(Point2 point, double height)
             mJournal.touchHeight(tin, v);
             mJournal.touchArea(tin, v);
             mJournal.touchLinks(tin, v);
+            if (tin.layerCount() > 0)
+                mJournal.touchColumn(tin, v);
         }
         tin.totals.freeVertex = tin.corners[v] & ~FreeVertexBit;
     } else {
@@ -54,6 +56,10 @@ VertexId TinWriter::addVertex(Point2 point, double height)
     tin.areas[v] = 0;
     tin.corners[v] = NoCorner;
     tin.constraints[v] = None;
+    for (std::size_t i = tin.layerSlot(v, 0); i < tin.layerSlot(v + 1, 0); ++i) {
+        tin.thicknesses[i] = 0;
+        tin.humidities[i] = 0;
+    }
     ++tin.totals.vertices;
     return v;
 }

@@ -3,6 +3,7 @@
 
 #include "model/terrain/tin/journal.h"
 #include "model/terrain/tin/predicates.h"
+#include "model/terrain/tin/surface.h"
 
 #include <initializer_list>
 #include <vector>
@@ -49,6 +50,26 @@ public:
             mJournal.touchHeight(tin, v);
         tin.heights[v] = height;
     }
+
+    /// The layers at a vertex before they are written.
+    void touchColumn(VertexId v)
+    {
+        if (mIsRecording)
+            mJournal.touchColumn(tin, v);
+    }
+    /// The height of the surface with what it is made of: upwards the top layer grows, downwards layers go from the
+    /// top, and below them all the bedrock.
+    void moveSurface(VertexId v, double height)
+    {
+        if (tin.layerCount() > 0)
+            moveLayers(v, height - tin.heights[v]);
+        setHeight(v, height);
+    }
+    /// Gives `v` the layers of the point that these weights make.
+    void setColumn(VertexId v, const Weights &weights);
+    /// Inserts a layer, or takes one out. \see TinEdit
+    void addLayer(std::uint32_t layer, std::uint8_t material);
+    void removeLayer(std::uint32_t layer);
 
     /// Sets the three vertices of `t`, and `t` as the triangle of each.
     void setTriangle(TriangleId t, VertexId a, VertexId b, VertexId c);
@@ -104,6 +125,8 @@ private:
     /// neighbour.
     void loseVolume(std::initializer_list<TriangleId> triangles, VertexId level);
     void gainVolume(std::initializer_list<TriangleId> triangles, VertexId level);
+
+    void moveLayers(VertexId v, double up);
 
     Journal &mJournal;
     const bool mIsRecording;

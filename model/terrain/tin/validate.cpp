@@ -37,6 +37,7 @@ public:
             inspectTriangles();
             inspectBorder();
             inspectAreas();
+            inspectLayers();
             if (inspectRecords())
                 inspectConstraints();
         }
@@ -56,6 +57,9 @@ private:
         if (mTin.points.size() != v || mTin.heights.size() != v || mTin.areas.size() != v ||
             mTin.constraints.size() != v || mTin.triangleVertices.size() != 3 * t || mTin.opposites.size() != 3 * t)
             report(TinRule::FreeList);
+        const std::uint32_t layers = mTin.layerCount();
+        if (layers > MaxLayers || mTin.thicknesses.size() != v * layers || mTin.humidities.size() != v * layers)
+            report(TinRule::Layers);
     }
 
     void inspectFreeLists()
@@ -257,6 +261,21 @@ private:
                 report(TinRule::DualArea, v);
     }
 
+    void inspectLayers()
+    {
+        for (VertexId v = 0; v < mTin.vertexSlots(); ++v) {
+            if (!mTin.isVertex(v))
+                continue;
+            for (std::uint32_t l = 0; l < mTin.layerCount(); ++l) {
+                const LayerSample sample = mTin.sample(v, l);
+                if (!(sample.thickness >= 0) || !std::isfinite(sample.thickness))
+                    report(TinRule::Thickness, v, l);
+                if (!(sample.humidity >= 0 && sample.humidity <= 1))
+                    report(TinRule::Humidity, v, l);
+            }
+        }
+    }
+
     const TinArrays &mTin;
     const Rectangle mDomain;
     const std::size_t mLimit;
@@ -292,6 +311,12 @@ const char *nameOf(TinRule rule)
         return "dual area";
     case TinRule::Height:
         return "height";
+    case TinRule::Layers:
+        return "layers";
+    case TinRule::Thickness:
+        return "thickness";
+    case TinRule::Humidity:
+        return "humidity";
     }
     return "";
 }

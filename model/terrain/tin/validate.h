@@ -19,6 +19,9 @@ enum class TinRule : std::uint8_t {
     FreeList,     ///< free slots are in their list, once, and look as free slots do; counts agree
     DualArea,     ///< dual areas are thirds of the triangles' areas
     Height,       ///< heights are finite
+    Layers,       ///< no more layers than MaxLayers, and values for each at each vertex
+    Thickness,    ///< thicknesses are finite and at least 0
+    Humidity,     ///< humidities are 0 ... 1
 };
 
 /// For messages and logs; not translated.

@@ -157,4 +157,36 @@ void randomStep(TinEdit &edit, PointSource &source)
     }
 }
 
+void randomLayerStep(TinEdit &edit, PointSource &source, bool changesCount)
+{
+    const TinArrays &tin = edit.tin().arrays();
+    const std::uint32_t count = tin.layerCount();
+    if (count == 0 || (changesCount && source.below(10) == 0)) {
+        if (count == 0 || (count < MaxLayers && source.below(2)))
+            return edit.addLayer(source.below(count + 1), std::uint8_t(source.below(3)));
+        return edit.removeLayer(source.below(count));
+    }
+    const VertexId v = randomVertex(tin, source);
+    const std::uint32_t layer = source.below(count);
+    const LayerSample sample{source.uniform(0, 0.2), float(source.uniform(0, 1))};
+    switch (source.below(6)) {
+    case 0:
+    case 1:
+        return edit.setLayer(v, layer, sample);
+    case 2:
+        return edit.deposit(v, layer, sample);
+    case 3:
+        edit.press(v, source.uniform(0, 0.1));
+        return;
+    case 4: {
+        const VertexId to = randomVertex(tin, source);
+        if (edit.areaOf(v) > 0 && edit.areaOf(to) > 0)
+            edit.transfer(v, to, source.uniform(-0.1, 0.1) * std::min(edit.areaOf(v), edit.areaOf(to)));
+        return;
+    }
+    default:
+        edit.setLayerMaterial(layer, std::uint8_t(source.below(3)));
+    }
+}
+
 } // namespace tests

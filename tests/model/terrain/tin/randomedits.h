@@ -36,4 +36,7 @@ private:
 /// One random change: a vertex put in or taken out, a line constrained or released, a height set.
 void randomStep(model::terrain::TinEdit &edit, PointSource &source);
 
+/// One random change of layers or what lies in them; of the number of layers, if asked, one time in ten.
+void randomLayerStep(model::terrain::TinEdit &edit, PointSource &source, bool changesCount);
+
 } // namespace tests

@@ -25,6 +25,8 @@ std::string bytesOf(const Tin &tin)
     add(arrays.areas);
     add(arrays.corners);
     add(arrays.constraints);
+    add(arrays.thicknesses);
+    add(arrays.humidities);
     add(arrays.triangleVertices);
     add(arrays.opposites);
     add(arrays.triangleFlags);
@@ -64,13 +66,17 @@ private slots:
     void undoAndRedoAreExactToTheByte_data()
     {
         QTest::addColumn<int>("ground");
+        QTest::addColumn<bool>("hasLayers");
         for (const tests::Ground ground : tests::EveryGround)
-            QTest::newRow(tests::nameOf(ground)) << int(ground);
+            QTest::newRow(tests::nameOf(ground)) << int(ground) << false;
+        QTest::newRow("layers") << int(tests::Ground::Random) << true;
+        QTest::newRow("layers on a grid") << int(tests::Ground::Grid) << true;
     }
     /// Some thousand random edits in all, walked back and forth at random.
     void undoAndRedoAreExactToTheByte()
     {
         QFETCH(int, ground);
+        QFETCH(bool, hasLayers);
         tests::PointSource source(tests::Ground(ground), 21);
         auto built = buildTin(source.points(150), source.domain());
         QVERIFY(built);
@@ -81,7 +87,10 @@ private slots:
             {
                 TinEdit edit(tin, source.below(2) ? VolumeRule::GiveBack : VolumeRule::Keep);
                 for (std::uint32_t steps = source.below(8); steps > 0; --steps)
-                    tests::randomStep(edit, source);
+                    if (hasLayers && source.below(2))
+                        tests::randomLayerStep(edit, source, i % 5 == 0);
+                    else
+                        tests::randomStep(edit, source);
                 edits.push_back(edit.commit());
             }
             states.push_back(bytesOf(tin));

@@ -30,6 +30,9 @@ Tin specimen()
             some.push_back(t);
     edit.setVoid(some, true);
     edit.releaseOwner(2);
+    edit.addLayer(0, 0);
+    edit.addLayer(1, 1);
+    edit.setLayer(50, 1, {0.5, 0.25F});
     edit.commit();
     return std::move(built->tin);
 }
@@ -142,6 +145,25 @@ const std::vector<Damage> &damages()
         {"arrays of different sizes", TinRule::FreeList, [](TinArrays &tin) { tin.heights.push(0); }},
         {"a wrong area", TinRule::DualArea, [](TinArrays &tin) { tin.areas[innerVertex(tin)] *= 1 + 1e-6; }},
         {"a height that is none", TinRule::Height, [](TinArrays &tin) { tin.heights[innerVertex(tin)] = NAN; }},
+        {"a layer without values", TinRule::Layers, [](TinArrays &tin) { ++tin.totals.layers.count; }},
+        {"more layers than there may be", TinRule::Layers,
+         [](TinArrays &tin) {
+             tin.totals.layers.count = MaxLayers + 1;
+             tin.thicknesses.resize(tin.vertexSlots() * (MaxLayers + 1));
+             tin.humidities.resize(tin.vertexSlots() * (MaxLayers + 1));
+         }},
+        {"a layer of less than nothing", TinRule::Thickness,
+         [](TinArrays &tin) { tin.thicknesses[tin.layerSlot(innerVertex(tin), 1)] = -1e-300; }},
+        {"a thickness that is none", TinRule::Thickness,
+         [](TinArrays &tin) { tin.thicknesses[tin.layerSlot(innerVertex(tin), 0)] = NAN; }},
+        {"a layer without end", TinRule::Thickness,
+         [](TinArrays &tin) { tin.thicknesses[tin.layerSlot(innerVertex(tin), 0)] = INFINITY; }},
+        {"wetter than water", TinRule::Humidity,
+         [](TinArrays &tin) { tin.humidities[tin.layerSlot(innerVertex(tin), 0)] = 1.0001F; }},
+        {"drier than dry", TinRule::Humidity,
+         [](TinArrays &tin) { tin.humidities[tin.layerSlot(innerVertex(tin), 0)] = -0.01F; }},
+        {"a humidity that is none", TinRule::Humidity,
+         [](TinArrays &tin) { tin.humidities[tin.layerSlot(innerVertex(tin), 1)] = NAN; }},
     };
     return list;
 }
