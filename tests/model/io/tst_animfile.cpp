@@ -102,6 +102,9 @@ private slots:
         SANDREEL_COMPARE_ERROR(saved, ErrorCode::CannotOpen);
         QCOMPARE(tests::argsOf(saved.error()), QStringList("it is not an ordinary file"));
         QVERIFY(!QFileInfo(path("pipe")).isFile());
+        const auto overFolder = saveBytes(path("."), Bytes(5));
+        SANDREEL_COMPARE_ERROR(overFolder, ErrorCode::CannotOpen);
+        QCOMPARE(tests::argsOf(overFolder.error()), QStringList("it is a folder"));
     }
 
     void renamedAnimationKeepsItsStream()

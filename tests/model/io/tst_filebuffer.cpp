@@ -4,6 +4,7 @@
 #include "model/io/animationreader.h"
 #include "model/io/animationwriter.h"
 #include "model/io/animfile.h"
+#include "model/io/positionmemory.h"
 #include "tests/model/io/iotest.h"
 #include "tests/support/scarcity.h"
 #include "tests/support/testmain.h"
@@ -82,6 +83,18 @@ private slots:
         const auto read = readAnimation(path(name));
         SANDREEL_COMPARE_ERROR(read, ErrorCode::OutOfMemory);
         QCOMPARE(tests::argsOf(read.error()), QStringList("1200000"));
+    }
+
+    void countsThatNoMachineHoldsAreRefused()
+    {
+        // Twelve times the product of the last does not fit into 64 bits.
+        for (const std::uint64_t frames : {MaxPositionBytes / 12 / 1000 + 1, std::uint64_t(1) << 62}) {
+            const auto memory = positionMemory(1000, frames);
+            SANDREEL_COMPARE_ERROR(memory, ErrorCode::LimitExceeded);
+            QCOMPARE(tests::argsOf(memory.error())[1], QString("1000 x %1").arg(frames));
+        }
+        QCOMPARE(positionMemory(1000, 20)->size(), std::size_t(20000));
+        QVERIFY(positionMemory(1000, 0)->empty());
     }
 
     /// Every size of allocation fails once, in whichever thread and function it is made: always this error, never a
