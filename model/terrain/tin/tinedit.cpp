@@ -114,12 +114,27 @@ void TinEdit::giveBack(std::span<const VertexId> vertices, std::span<const doubl
         weighted.add(mArrays.areas[vertices[i]] * (weights.empty() ? 1 : weights[i]));
     if (!(weighted.value() > 0))
         return;
-    const double lift = -mWriter.leak.value() / weighted.value();
+    lift(vertices, weights, -mWriter.leak.value() / weighted.value());
+}
+
+void TinEdit::giveBackVolume(std::span<const VertexId> vertices, double volume)
+{
+    assert(mIsOpen);
+    mWriter.updateAreas();
+    CompensatedSum area;
+    for (const VertexId v : vertices)
+        area.add(mArrays.areas[v]);
+    if (area.value() > 0)
+        lift(vertices, {}, volume / area.value());
+}
+
+void TinEdit::lift(std::span<const VertexId> vertices, std::span<const double> weights, double height)
+{
     // What the surface really gains, rounding of the heights and all, is what the leak falls by.
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const VertexId v = vertices[i];
         const double before = mArrays.heights[v];
-        mWriter.moveSurface(v, before + lift * (weights.empty() ? 1 : weights[i]));
+        mWriter.moveSurface(v, before + height * (weights.empty() ? 1 : weights[i]));
         mWriter.leak.add((mArrays.heights[v] - before) * mArrays.areas[v]);
     }
 }

@@ -82,6 +82,14 @@ public:
     /// bedrock does not give way. Returns by how much the surface went down.
     double press(VertexId v, double depth);
 
+    /// Puts the surface and the layers at `v` where transfers between vertices, worked out elsewhere, have brought
+    /// them. They keep the volume, and bookMoved() says how much they moved: the ledger hears nothing of it here.
+    /// \param thicknesses, humidities  a value for each layer; not read without layers
+    void place(VertexId v, double height, const double *thicknesses, const float *humidities);
+    void bookMoved(double volume);
+    /// Has TinArrays::areas up to date, for whoever reads them in the midst of an edit.
+    void updateAreas() { mWriter.updateAreas(); }
+
     /// The dual area of `v` as it is now.
     double areaOf(VertexId v);
 
@@ -90,6 +98,10 @@ public:
     /// Spreads the leak over `vertices`: the height of each changes in proportion to its weight (empty: all alike).
     /// Nothing happens if their areas and weights add up to nothing.
     void giveBack(std::span<const VertexId> vertices, std::span<const double> weights = {});
+
+    /// Raises or lowers `vertices` all alike by what `volume` makes, which counts against the leak: who knows which
+    /// part of the leak is its own gives it back so. Nothing happens if they have no area.
+    void giveBackVolume(std::span<const VertexId> vertices, double volume);
 
     /// Ends the edit.
     Edit commit();
@@ -107,6 +119,7 @@ private:
     void unconstrain(Corner c);
     void split(Corner c, std::vector<Segment> &segments, const Segment &segment);
     bool isFreeOf(const Segment &segment, Crossing crossing, Corner &blocking) const;
+    void lift(std::span<const VertexId> vertices, std::span<const double> weights, double height);
     Edit end();
 
     Tin &mTin;

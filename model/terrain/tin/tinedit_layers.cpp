@@ -76,6 +76,22 @@ double TinEdit::press(VertexId v, double depth)
     return pressed;
 }
 
+void TinEdit::place(VertexId v, double height, const double *thicknesses, const float *humidities)
+{
+    assert(mIsOpen);
+    mWriter.setHeight(v, height);
+    if (mArrays.layerCount() == 0)
+        return;
+    mWriter.touchColumn(v);
+    std::copy_n(thicknesses, mArrays.layerCount(), mArrays.thicknesses.data() + mArrays.layerSlot(v, 0));
+    std::copy_n(humidities, mArrays.layerCount(), mArrays.humidities.data() + mArrays.layerSlot(v, 0));
+}
+
+void TinEdit::bookMoved(double volume)
+{
+    mArrays.totals.ledger.moved.add(volume);
+}
+
 void TinEdit::transfer(VertexId from, VertexId to, double volume)
 {
     assert(mIsOpen);
