@@ -90,16 +90,19 @@ void Erosion::slide(TinEdit &edit, std::vector<Active> start, const Manner &mann
     for (bool isDone = false; !isDone;) {
         if (!tooLong.empty())
             for (const TriangleId t :
-                 splitLongEdges(edit, tooLong, manner.longestEdge, LargestAddition, statistics.addedVertices))
+                 splitLongEdges(edit, tooLong, manner.longestEdge, LargestAddition, statistics.addedVertices, progress))
                 start.push_back({t, false});
         tooLong.clear();
         edit.updateAreas();
         Patch patch(tin, slopes, mSettings.material, mIds);
         if (statistics.addedVertices < LargestAddition)
             patch.watchForLongEdges(manner.longestEdge);
-        for (const Active &active : start)
+        for (const Active &active : start) {
+            if (progress.isCancelled())
+                return;
             if (arrays.isTriangle(active.triangle))
                 patch.add(active.triangle, active.isMoving);
+        }
         const bool isSmall = manner.isBrief && patch.triangleCount() < SmallestForThreads;
         const auto lead = [&](Team &team) {
             while (!isDone && tooLong.empty()) {
@@ -151,17 +154,19 @@ Result<ErosionStatistics> Erosion::run(TinEdit &edit, double seconds, const Eros
     mTimeLeft = std::fmod(mTimeLeft, 1.0);
     statistics.isAtRest = mActive.empty();
     if (statistics.isAtRest)
-        simplify(edit, statistics);
+        simplify(edit, Progress(), statistics);
     return statistics;
 }
 
 /// All that are steeper than some material stands.
-std::vector<Erosion::Active> Erosion::steepTriangles(const Tin &tin) const
+std::vector<Erosion::Active> Erosion::steepTriangles(const Tin &tin, const Progress &progress) const
 {
     const TinArrays &arrays = tin.arrays();
     const double lowest = SlopeTable(arrays.totals.layers, mMaterials, mSettings.material).lowest();
     std::vector<Active> steep;
     for (TriangleId t = 0; t < arrays.triangleSlots(); ++t) {
+        if (progress.isCancelled())
+            break;
         if (!arrays.isTriangle(t) || arrays.isVoid(t))
             continue;
         const Gradient g = gradientOf(arrays, t);
@@ -201,6 +206,8 @@ void Erosion::slideCoarsely(TinEdit &edit, std::span<const Active> steep, const 
     const Rectangle around{{bounds.low.x - reach, bounds.low.y - reach},
                            {bounds.high.x + reach, bounds.high.y + reach}};
     for (TriangleId t = 0; t < arrays.triangleSlots(); ++t) {
+        if (progress.isCancelled())
+            return;
         if (!arrays.isTriangle(t) || !around.contains(arrays.pointAt(cornerOf(t, 0))))
             continue;
         if (arrays.isVoid(t))
@@ -217,13 +224,13 @@ void Erosion::slideCoarsely(TinEdit &edit, std::span<const Active> steep, const 
         statistics.movedVolume += patch.writeBack(edit);
 }
 
-void Erosion::simplify(TinEdit &edit, ErosionStatistics &statistics)
+void Erosion::simplify(TinEdit &edit, const Progress &progress, ErosionStatistics &statistics)
 {
     if (!(mSettings.flatError > 0) || mReached.empty())
         return;
     std::sort(mReached.begin(), mReached.end());
     mReached.erase(std::unique(mReached.begin(), mReached.end()), mReached.end());
-    statistics.removedVertices += removeRedundant(edit, mReached, mSettings.flatError, mSettings.flatAngle);
+    statistics.removedVertices += removeRedundant(edit, mReached, mSettings.flatError, mSettings.flatAngle, progress);
     mReached.clear();
 }
 
@@ -235,7 +242,7 @@ Result<ErosionStatistics> Erosion::settle(TinEdit &edit, const Progress &progres
     ErosionStatistics statistics;
     std::uint64_t most = 1;
     if (mSettings.hasCoarsePass && mSettings.rule == ErosionRule::Face)
-        if (const std::vector<Active> steep = steepTriangles(tin); !steep.empty())
+        if (const std::vector<Active> steep = steepTriangles(tin, progress); !steep.empty())
             slideCoarsely(edit, steep, progress, statistics);
     // Again until nothing moves: vertices that were removed left other triangles.
     Manner manner{{mSettings.rule, mSettings.relaxation, RestTolerance, RestTolerance / 2},
@@ -248,11 +255,11 @@ Result<ErosionStatistics> Erosion::settle(TinEdit &edit, const Progress &progres
                   }};
     for (bool isFirst = true, hasMoved = true; hasMoved && !progress.isCancelled(); isFirst = false) {
         const std::uint64_t before = statistics.transfers;
-        slide(edit, steepTriangles(tin), manner, progress, statistics);
+        slide(edit, steepTriangles(tin, progress), manner, progress, statistics);
         manner.longestEdge = 0;
         hasMoved = statistics.transfers != before;
         if (isFirst && !progress.isCancelled())
-            simplify(edit, statistics);
+            simplify(edit, progress, statistics);
         mReached.clear();
     }
     mActive.clear();

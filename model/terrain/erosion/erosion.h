@@ -86,8 +86,8 @@ private:
                ErosionStatistics &statistics);
     void slideCoarsely(TinEdit &edit, std::span<const Active> steep, const Progress &progress,
                        ErosionStatistics &statistics);
-    std::vector<Active> steepTriangles(const Tin &tin) const;
-    void simplify(TinEdit &edit, ErosionStatistics &statistics);
+    std::vector<Active> steepTriangles(const Tin &tin, const Progress &progress) const;
+    void simplify(TinEdit &edit, const Progress &progress, ErosionStatistics &statistics);
 
     ErosionSettings mSettings;
     std::vector<Material> mMaterials;

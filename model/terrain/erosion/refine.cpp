@@ -134,11 +134,11 @@ bool hasLongEdge(const TinArrays &tin, TriangleId t, double longest)
 }
 
 std::vector<TriangleId> splitLongEdges(TinEdit &edit, std::span<const TriangleId> triangles, double longest,
-                                       std::uint32_t limit, std::uint32_t &added)
+                                       std::uint32_t limit, std::uint32_t &added, const Progress &progress)
 {
     const TinArrays &tin = edit.tin().arrays();
     std::vector<TriangleId> queue(triangles.begin(), triangles.end()), around;
-    for (std::size_t i = 0; i < queue.size() && added < limit; ++i) {
+    for (std::size_t i = 0; i < queue.size() && added < limit && !progress.isCancelled(); ++i) {
         const TriangleId t = queue[i];
         if (!tin.isTriangle(t) || tin.isVoid(t) || !hasLongEdge(tin, t, longest))
             continue;
@@ -161,13 +161,17 @@ std::vector<TriangleId> splitLongEdges(TinEdit &edit, std::span<const TriangleId
     return around;
 }
 
-std::uint32_t removeRedundant(TinEdit &edit, std::span<const VertexId> candidates, double error, double flatAngle)
+std::uint32_t removeRedundant(TinEdit &edit, std::span<const VertexId> candidates, double error, double flatAngle,
+                              const Progress &progress)
 {
     Removal removal(edit, error, flatAngle);
     const double leak = edit.leak();
     std::uint32_t removed = 0;
-    for (const VertexId v : candidates)
+    for (const VertexId v : candidates) {
+        if (progress.isCancelled())
+            break;
         removed += removal.remove(v);
+    }
     if (removed > 0)
         edit.giveBackVolume(removal.changed(), leak - edit.leak());
     return removed;
