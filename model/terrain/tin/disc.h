@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/terrain/tin/slotmarks.h"
 #include "model/terrain/tin/tin.h"
 
 #include <vector>
@@ -22,31 +23,10 @@ public:
     std::span<const VertexId> vertices() const { return mVertices; }
 
 private:
-    class Marks
-    {
-    public:
-        void resize(std::size_t count)
-        {
-            if (mWords.size() < (count + 63) / 64)
-                mWords.resize((count + 63) / 64);
-        }
-        bool set(std::uint32_t i)
-        {
-            const std::uint64_t bit = std::uint64_t(1) << (i & 63);
-            const bool isNew = !(mWords[i >> 6] & bit);
-            mWords[i >> 6] |= bit;
-            return isNew;
-        }
-        void clear(std::uint32_t i) { mWords[i >> 6] = 0; }
-
-    private:
-        std::vector<std::uint64_t> mWords;
-    };
-
     std::vector<TriangleId> mTriangles;
     std::vector<VertexId> mVertices;
     std::vector<VertexId> mLookedAt;
-    Marks mTriangleMarks, mVertexMarks;
+    SlotMarks mTriangleMarks, mVertexMarks;
 };
 
 } // namespace model::terrain

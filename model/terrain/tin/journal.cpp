@@ -124,7 +124,7 @@ Edit Journal::end(const TinArrays &tin)
     mIsRecording = false;
     mEdit.mBefore = mBase;
     mEdit.mAfter = {tin.vertexSlots(), tin.triangleSlots(), std::uint32_t(tin.records.size())};
-    const auto clear = [](Bits &bits, const auto &saved) {
+    const auto clear = [](SlotMarks &bits, const auto &saved) {
         for (const auto &entry : saved)
             bits.clear(entry.slot);
     };

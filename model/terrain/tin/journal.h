@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/terrain/tin/slotmarks.h"
 #include "model/terrain/tin/tinarrays.h"
 
 #include <optional>
@@ -165,30 +166,6 @@ public:
     std::size_t byteSize() const;
 
 private:
-    /// One bit for each slot.
-    class Bits
-    {
-    public:
-        void resize(std::size_t count)
-        {
-            if (mWords.size() < (count + 63) / 64)
-                mWords.resize((count + 63) / 64);
-        }
-        /// Sets a bit; true if it was clear.
-        bool set(std::size_t i)
-        {
-            const std::uint64_t bit = std::uint64_t(1) << (i & 63);
-            const bool isNew = !(mWords[i >> 6] & bit);
-            mWords[i >> 6] |= bit;
-            return isNew;
-        }
-        /// Clears a bit and, being meant for clearing all that were set, its neighbours.
-        void clear(std::size_t i) { mWords[i >> 6] = 0; }
-        std::size_t byteSize() const { return mWords.size() * sizeof(std::uint64_t); }
-
-    private:
-        std::vector<std::uint64_t> mWords;
-    };
     static Edit::Triangle read(const TinArrays &tin, TriangleId t);
     static void write(TinArrays &tin, TriangleId t, const Edit::Triangle &triangle);
     void saveColumn(const TinArrays &tin, VertexId v);
@@ -199,7 +176,7 @@ private:
     bool mIsRecording = false;
     Edit::Slots mBase;
     Edit mEdit;
-    Bits mSeenPoints, mSeenHeights, mSeenAreas, mSeenColumns, mSeenLinks, mSeenTriangles, mSeenRecords, mNotedAreas;
+    SlotMarks mSeenPoints, mSeenHeights, mSeenAreas, mSeenColumns, mSeenLinks, mSeenTriangles, mSeenRecords, mNotedAreas;
 };
 
 } // namespace model::terrain

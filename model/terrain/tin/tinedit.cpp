@@ -105,6 +105,31 @@ double TinEdit::areaOf(VertexId v)
     return mArrays.areas[v];
 }
 
+void TinEdit::displace(VertexId v, double height)
+{
+    assert(mIsOpen);
+    const double before = mArrays.heights[v];
+    mWriter.moveSurface(v, height);
+    mWriter.leak.add((height - before) * dualArea(mArrays, v));
+}
+
+void TinEdit::bookLeak(double volume)
+{
+    assert(mIsOpen);
+    Ledger &ledger = mArrays.totals.ledger;
+    if (volume > 0)
+        ledger.added.add(volume);
+    else
+        ledger.removed.add(-volume);
+    mWriter.leak.add(-volume);
+}
+
+void TinEdit::bookMoved(double volume)
+{
+    assert(mIsOpen && volume >= 0);
+    mArrays.totals.ledger.moved.add(volume);
+}
+
 void TinEdit::giveBack(std::span<const VertexId> vertices, std::span<const double> weights)
 {
     assert(mIsOpen && (weights.empty() || weights.size() == vertices.size()));

@@ -95,6 +95,12 @@ public:
 
     /// What the surface gained in volume, and has not given back.
     double leak() const { return mWriter.leak.value(); }
+    /// Sets the height of `v`; the volume that takes is owed, as part of the leak.
+    void displace(VertexId v, double height);
+    /// Counts this part of the leak as added (above 0) or removed (below 0): it is no longer owed.
+    void bookLeak(double volume);
+    /// Counts a volume as moved that displace() and giveBack() moved.
+    void bookMoved(double volume);
     /// Spreads the leak over `vertices`: the height of each changes in proportion to its weight (empty: all alike).
     /// Nothing happens if their areas and weights add up to nothing.
     void giveBack(std::span<const VertexId> vertices, std::span<const double> weights = {});

@@ -71,6 +71,29 @@ private slots:
         QCOMPARE(built.tin.ledger().start, built.tin.volume());
     }
 
+    /// What is displaced is owed, whatever the triangulation does meanwhile, until it is booked or given back.
+    void displacedVolumeIsOwed()
+    {
+        BuiltTin built = waves();
+        TinEdit edit(built.tin, VolumeRule::Keep);
+        const double before = volumeOfTriangles(built.tin.arrays());
+        const VertexId dug = edit.insert({0.5, 0.5}), heap = edit.insert({0.7, 0.5});
+        edit.displace(dug, -3);
+        edit.insert({0.51, 0.5}); // beside it
+        QVERIFY(std::abs(edit.leak() - (volumeOfTriangles(built.tin.arrays()) - before)) < 1e-14);
+        const double owed = edit.leak();
+        QVERIFY(owed < -1e-4);
+        edit.bookLeak(owed / 4);
+        QVERIFY(std::abs(edit.leak() - owed * 0.75) < 1e-16);
+        edit.giveBack(std::span(&heap, 1));
+        edit.bookMoved(-owed * 0.75);
+        edit.commit();
+        QVERIFY(std::abs(volumeOfTriangles(built.tin.arrays()) - before - owed / 4) < 1e-14);
+        QVERIFY(std::abs(built.tin.ledger().removed.value() + owed / 4) < 1e-16);
+        QVERIFY(std::abs(built.tin.ledger().moved.value() + owed * 0.75) < 1e-16);
+        QVERIFY(std::abs(built.tin.ledger().expected() - built.tin.volume()) < 1e-14);
+    }
+
     /// The leak is worked out from tetrahedra and prisms, step by step; here from the whole surface.
     void theLeakIsWhatTheSurfaceGained()
     {
