@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The TIN against CGAL's Constrained_Delaunay_triangulation_2 (the rows "cgal..."), on the same random points in the
-// same run.
+// The TIN against CGAL's Constrained_Delaunay_triangulation_2 on the same random points in the same run, taken in
+// turns; then stamps. `sandreel-bench-terrain [largest size]`; sizes above 1M are only built.
+#include "tests/bench/bench_terrain.h"
+
 #include "model/terrain/tin/tinedit.h"
 
-#include <benchmark/benchmark.h>
-
-#include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <map>
+#include <cstdio>
+#include <cstdlib>
 #include <random>
 
-namespace {
-
-using namespace model::terrain;
-
-constexpr Rectangle Domain{{0, 0}, {1, 1}};
-constexpr std::size_t Batch = 10000; ///< operations that are timed together
+namespace bench {
 
 std::vector<Point3> randomPoints(std::size_t count, unsigned seed)
 {
@@ -30,180 +24,107 @@ std::vector<Point3> randomPoints(std::size_t count, unsigned seed)
     return points;
 }
 
-std::vector<Point3> gridPoints(std::size_t count)
+} // namespace bench
+
+namespace {
+
+using namespace bench;
+using namespace model::terrain;
+
+constexpr Rectangle Domain{{0, 0}, {1, 1}};
+constexpr std::size_t Batch = 10000; ///< operations that are timed together
+constexpr int Rounds = 7;
+
+void print(const char *name, std::size_t size, const Fastest &ours, const Fastest &cgal, double scale, const char *unit)
 {
-    const auto side = std::size_t(std::sqrt(double(count)));
-    std::vector<Point3> points;
-    for (std::size_t y = 0; y < side; ++y)
-        for (std::size_t x = 0; x < side; ++x)
-            points.push_back({double(x) / double(side - 1), double(y) / double(side - 1), 0});
-    return points;
+    std::printf("%-24s %9zu  ours %8.3f %s  CGAL %8.3f %s  ratio %.2f\n", name, size, ours.seconds * scale, unit,
+                cgal.seconds * scale, unit, ours.seconds / cgal.seconds);
+    std::fflush(stdout);
 }
 
-/// Built once for each size and kept: the benchmarks put back what they change.
-Tin &tinOf(std::size_t count)
+void benchBuild(std::size_t size)
 {
-    static std::map<std::size_t, Tin> tins;
-    auto found = tins.find(count);
-    if (found == tins.end())
-        found = tins.emplace(count, std::move(buildTin(randomPoints(count, 1), Domain)->tin)).first;
-    return found->second;
-}
-
-/// Processor time: what neighbours on the machine take does not count.
-class Stopwatch
-{
-public:
-    double seconds() const { return double(std::clock() - mBegin) / CLOCKS_PER_SEC; }
-
-private:
-    std::clock_t mBegin = std::clock();
-};
-
-/// Times a batch; the table's time is then that of one operation.
-template <class Operation>
-void timeBatch(benchmark::State &state, Operation operation)
-{
-    const Stopwatch stopwatch;
-    operation();
-    state.SetIterationTime(stopwatch.seconds() / Batch);
-}
-
-void terrainBuild(benchmark::State &state)
-{
-    const std::vector<Point3> points = randomPoints(std::size_t(state.range(0)), 1);
+    const std::vector<Point3> points = randomPoints(size, 1);
+    Fastest ours, cgal;
     double bytes = 0;
-    for (auto _ : state) {
-        const auto built = buildTin(points, Domain);
-        bytes = double(built->tin.byteSize()) / built->tin.vertexCount();
+    for (int round = 0; round < (size > 2000000 ? 2 : 3); ++round) {
+        {
+            const Stopwatch stopwatch;
+            const auto built = buildTin(points, Domain);
+            ours.add(stopwatch.seconds());
+            bytes = double(built->tin.byteSize()) / built->tin.vertexCount();
+        }
+        cgal.add(CgalTriangulation().build(points));
     }
-    state.counters["bytes/vertex"] = bytes;
+    print("build", size, ours, cgal, 1, "s ");
+    std::printf("%-24s %9zu  ours %8.1f bytes a vertex (arrays, hints and marks)\n", "memory", size, bytes);
 }
-void terrainBuildGrid(benchmark::State &state)
+
+void benchOperations(std::size_t size)
 {
-    const std::vector<Point3> points = gridPoints(std::size_t(state.range(0)));
-    for (auto _ : state)
-        benchmark::DoNotOptimize(buildTin(points, Domain)->tin.vertexCount());
-}
-void terrainInsert(benchmark::State &state)
-{
-    Tin &tin = tinOf(std::size_t(state.range(0)));
+    Tin tin = std::move(buildTin(randomPoints(size, 1), Domain)->tin);
+    CgalTriangulation cgal;
+    cgal.build(randomPoints(size, 1));
     const std::vector<Point3> points = randomPoints(Batch, 2);
-    std::vector<VertexId> near;
+    std::vector<VertexId> near, inserted(Batch);
     for (const Point3 &p : points)
         near.push_back(tin.arrays().vertex(tin.locate({p.x, p.y}).corner));
-    for (auto _ : state) {
-        TinEdit edit(tin);
-        timeBatch(state, [&] {
+    cgal.findHints(points);
+    Fastest insert, cgalInsert, remove, cgalRemove, nearBy, cgalNearBy, anywhere, undo;
+    for (int round = 0; round < Rounds; ++round) {
+        std::size_t odd = 0;
+        {
+            const Stopwatch stopwatch;
             for (std::size_t i = 0; i < Batch; ++i)
-                edit.insert({points[i].x, points[i].y}, near[i]);
-        });
-    }
-}
-void terrainRemove(benchmark::State &state)
-{
-    Tin &tin = tinOf(std::size_t(state.range(0)));
-    std::mt19937 random(3);
-    std::vector<VertexId> vertices;
-    while (vertices.size() < Batch)
-        vertices.push_back(4 + VertexId(random() % (tin.arrays().vertexSlots() - 4)));
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    std::shuffle(vertices.begin(), vertices.end(), random);
-    for (auto _ : state) {
-        TinEdit edit(tin);
-        timeBatch(state, [&] {
-            for (const VertexId v : vertices)
-                edit.remove(v);
-        });
-    }
-}
-void terrainLocateNear(benchmark::State &state)
-{
-    const Tin &tin = tinOf(std::size_t(state.range(0)));
-    const std::vector<Point3> points = randomPoints(Batch, 4);
-    std::vector<VertexId> near;
-    for (const Point3 &p : points)
-        near.push_back(tin.arrays().vertex(tin.locate({p.x, p.y}).corner));
-    for (auto _ : state)
-        timeBatch(state, [&] {
-            for (std::size_t i = 0; i < Batch; ++i)
-                benchmark::DoNotOptimize(tin.locate({points[i].x, points[i].y}, near[i]));
-        });
-}
-void terrainLocateAnywhere(benchmark::State &state)
-{
-    const Tin &tin = tinOf(std::size_t(state.range(0)));
-    const std::vector<Point3> points = randomPoints(Batch, 5);
-    for (auto _ : state)
-        timeBatch(state, [&] {
+                odd += tin.locate({points[i].x, points[i].y}, near[i]).corner == NoCorner;
+            nearBy.add(stopwatch.seconds());
+        }
+        cgalNearBy.add(cgal.locate(points));
+        {
+            const Stopwatch stopwatch;
             for (const Point3 &p : points)
-                benchmark::DoNotOptimize(tin.locate({p.x, p.y}));
-        });
-}
-
-/// A ring of 48 vertices and 48 constraints, put in and taken back: what a stamp and its undo cost the kernel.
-constexpr std::size_t RingSize = 48;
-
-Edit ring(Tin &tin, Point2 centre, double radius)
-{
-    TinEdit edit(tin);
-    VertexId last = None;
-    for (std::size_t i = 0; i <= RingSize; ++i) {
-        const double angle = 2 * M_PI * double(i % RingSize) / double(RingSize);
-        const VertexId v =
-            edit.insert({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)}, last);
-        if (last != None)
-            benchmark::DoNotOptimize(edit.constrain(last, v, 1));
-        last = v;
+                odd += tin.locate({p.x, p.y}).corner == NoCorner;
+            anywhere.add(stopwatch.seconds());
+        }
+        // With the journal, the areas and all that a commit does.
+        Stopwatch stopwatch;
+        TinEdit putting(tin);
+        for (std::size_t i = 0; i < Batch; ++i)
+            inserted[i] = putting.insert({points[i].x, points[i].y}, near[i]);
+        Edit put = putting.commit();
+        insert.add(stopwatch.seconds());
+        cgalInsert.add(cgal.insert(points));
+        stopwatch = Stopwatch();
+        TinEdit taking(tin);
+        for (const VertexId v : inserted)
+            taking.remove(v);
+        Edit taken = taking.commit();
+        remove.add(stopwatch.seconds());
+        cgalRemove.add(cgal.remove());
+        stopwatch = Stopwatch();
+        tin.swap(taken);
+        undo.add(stopwatch.seconds());
+        tin.swap(put);
+        if (odd)
+            std::printf("lost\n");
     }
-    return edit.commit();
+    const double each = 1e6 / double(Batch);
+    print("insert from a hint", size, insert, cgalInsert, each, "us");
+    print("remove", size, remove, cgalRemove, each, "us");
+    print("locate from a hint", size, nearBy, cgalNearBy, each, "us");
+    std::printf("%-24s %9zu  ours %8.3f us\n", "locate anywhere", size, anywhere.seconds * each);
+    std::printf("%-24s %9zu  ours %8.3f us a vertex\n", "undo of removals", size, undo.seconds * each);
 }
-
-double ringRadius(std::int64_t vertices)
-{
-    return std::sqrt(100 / (M_PI * double(vertices))); // about 100 vertices inside
-}
-
-void terrainRing(benchmark::State &state)
-{
-    Tin &tin = tinOf(std::size_t(state.range(0)));
-    std::mt19937 random(6);
-    for (auto _ : state) {
-        const Point2 centre{0.2 + 0.6 * double(random()) / 4294967296.0, 0.2 + 0.6 * double(random()) / 4294967296.0};
-        const Stopwatch stopwatch;
-        Edit edit = ring(tin, centre, ringRadius(state.range(0)));
-        state.SetIterationTime(stopwatch.seconds());
-        state.counters["bytes"] = double(edit.byteSize());
-        tin.swap(edit);
-    }
-}
-void terrainRingUndo(benchmark::State &state)
-{
-    Tin &tin = tinOf(std::size_t(state.range(0)));
-    std::mt19937 random(6);
-    for (auto _ : state) {
-        const Point2 centre{0.2 + 0.6 * double(random()) / 4294967296.0, 0.2 + 0.6 * double(random()) / 4294967296.0};
-        Edit edit = ring(tin, centre, ringRadius(state.range(0)));
-        const Stopwatch stopwatch;
-        tin.swap(edit);
-        state.SetIterationTime(stopwatch.seconds());
-    }
-}
-
-BENCHMARK(terrainBuild)->Arg(1000000)->Unit(benchmark::kMillisecond);
-BENCHMARK(terrainBuildGrid)->Arg(1000000)->Unit(benchmark::kMillisecond);
-BENCHMARK(terrainInsert)->Arg(1000000)->UseManualTime()->Iterations(5);
-BENCHMARK(terrainRemove)->Arg(1000000)->UseManualTime()->Iterations(5);
-BENCHMARK(terrainLocateNear)->Arg(1000000)->UseManualTime()->Iterations(20);
-BENCHMARK(terrainLocateAnywhere)->Arg(1000000)->UseManualTime()->Iterations(20);
-BENCHMARK(terrainRing)
-    ->Arg(10000)
-    ->Arg(100000)
-    ->Arg(1000000)
-    ->UseManualTime()
-    ->Iterations(500)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK(terrainRingUndo)->Arg(1000000)->UseManualTime()->Iterations(500)->Unit(benchmark::kMicrosecond);
 
 } // namespace
+
+int main(int argc, char **argv)
+{
+    const std::size_t largest = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000000;
+    const std::size_t middle = std::min<std::size_t>(largest, 1000000);
+    benchBuild(middle);
+    if (largest > middle)
+        benchBuild(largest);
+    benchOperations(middle);
+    bench::benchStamps(middle);
+}

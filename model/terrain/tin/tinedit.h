@@ -86,7 +86,6 @@ public:
     /// them. They keep the volume, and bookMoved() says how much they moved: the ledger hears nothing of it here.
     /// \param thicknesses, humidities  a value for each layer; not read without layers
     void place(VertexId v, double height, const double *thicknesses, const float *humidities);
-    void bookMoved(double volume);
     /// Has TinArrays::areas up to date, for whoever reads them in the midst of an edit.
     void updateAreas() { mWriter.updateAreas(); }
 
@@ -99,7 +98,7 @@ public:
     void displace(VertexId v, double height);
     /// Counts this part of the leak as added (above 0) or removed (below 0): it is no longer owed.
     void bookLeak(double volume);
-    /// Counts a volume as moved that displace() and giveBack() moved.
+    /// Counts a volume as moved that place(), or displace() and giveBack(), moved.
     void bookMoved(double volume);
     /// Spreads the leak over `vertices`: the height of each changes in proportion to its weight (empty: all alike).
     /// Nothing happens if their areas and weights add up to nothing.

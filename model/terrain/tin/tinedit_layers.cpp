@@ -87,11 +87,6 @@ void TinEdit::place(VertexId v, double height, const double *thicknesses, const 
     std::copy_n(humidities, mArrays.layerCount(), mArrays.humidities.data() + mArrays.layerSlot(v, 0));
 }
 
-void TinEdit::bookMoved(double volume)
-{
-    mArrays.totals.ledger.moved.add(volume);
-}
-
 void TinEdit::transfer(VertexId from, VertexId to, double volume)
 {
     assert(mIsOpen);
