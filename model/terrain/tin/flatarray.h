@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -9,7 +10,24 @@
 #include <type_traits>
 #include <utility>
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 namespace model::terrain {
+
+/// Asks for large pages: what is read here and there in arrays of hundreds of megabytes otherwise waits for the table
+/// of pages as long as for the memory itself. A hint; nothing happens where there are none.
+inline void preferLargePages([[maybe_unused]] void *data, [[maybe_unused]] std::size_t bytes)
+{
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    constexpr std::size_t LargePage = std::size_t(1) << 21;
+    const auto begin = (reinterpret_cast<std::uintptr_t>(data) + LargePage - 1) & ~(LargePage - 1);
+    const auto end = (reinterpret_cast<std::uintptr_t>(data) + bytes) & ~(LargePage - 1);
+    if (begin < end)
+        madvise(reinterpret_cast<void *>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
 
 /// A std::vector of plain values that grows by an eighth and through realloc: the C library moves the pages of a large
 /// array instead of its bytes, so that a terrain of millions of vertices grows without a pause, and what is reserved
@@ -59,6 +77,7 @@ public:
             throw std::bad_alloc();
         mData = static_cast<T *>(grown);
         mCapacity = capacity;
+        preferLargePages(grown, capacity * sizeof(T));
     }
     void push(const T &value)
     {

@@ -4,6 +4,7 @@
 // convex along each ray from v up to the edge of the hole, is worked out in README.md.
 #include "model/terrain/tin/removal.h"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <queue>
@@ -26,18 +27,28 @@ public:
         , mCentre(writer.tin.points[v])
     {
         const TinArrays &tin = writer.tin;
-        mNodes.reserve(16);
-        mTriangles.reserve(16);
+        mNodes.clear();
+        mTriangles.clear();
         const Corner first = tin.firstAround(v);
         Corner c = first, last = first;
         do {
-            mNodes.push_back({tin.vertex(next(c)), tin.opposites[slotOf(c)], 0, 0, NoEar, 0});
+            const VertexId w = tin.vertex(next(c));
+            const Corner outer = tin.opposites[slotOf(c)];
+            // What the steps below read of it would otherwise be waited for piece by piece.
+            prefetch(&tin.points[w]);
+            prefetch(&tin.heights[w]);
+            prefetch(&tin.corners[w]);
+            if (outer != BorderOpposite) {
+                prefetch(&tin.opposites[slotOf(outer & ~ConstrainedBit)]);
+                prefetch(&tin.triangleVertices[slotOf(outer & ~ConstrainedBit)]);
+            }
+            mNodes.push_back({w, outer, 0, 0, NoEar, 0, false});
             mTriangles.push_back(triangleOf(c));
             last = c;
             c = tin.counterClockwise(c);
         } while (c != NoCorner && c != first);
         if (c == NoCorner) // the far end of a fan at the border, and the border edge that closes the hole
-            mNodes.push_back({tin.vertex(previous(last)), BorderOpposite, 0, 0, NoEar, 0});
+            mNodes.push_back({tin.vertex(previous(last)), BorderOpposite, 0, 0, NoEar, 0, false});
         const auto count = std::uint32_t(mNodes.size());
         for (std::uint32_t i = 0; i < count; ++i) {
             mNodes[i].before = i == 0 ? count - 1 : i - 1;
@@ -46,6 +57,26 @@ public:
     }
 
     const std::vector<TriangleId> &triangles() const { return mTriangles; }
+
+    /// Vertices whose corner lies in the hole get one outside, or, between two edges of the border, wait for the first
+    /// triangle that they get. Precondition: the triangles of the hole still have the vertex that goes.
+    void moveCornersOut()
+    {
+        const TinArrays &tin = mWriter.tin;
+        for (Node &node : mNodes) {
+            const Corner corner = tin.corners[node.vertex];
+            const TriangleId t = triangleOf(corner);
+            if (std::find(mTriangles.begin(), mTriangles.end(), t) == mTriangles.end())
+                continue;
+            const Corner before = mNodes[node.before].outer;
+            if (node.outer != BorderOpposite)
+                mWriter.setCornerOf(node.vertex, previous(node.outer & ~ConstrainedBit));
+            else if (before != BorderOpposite)
+                mWriter.setCornerOf(node.vertex, next(before & ~ConstrainedBit));
+            else
+                node.isWithoutCorner = true;
+        }
+    }
 
     void fill()
     {
@@ -57,11 +88,10 @@ public:
             some = mNodes[ear].before;
             cut(ear);
         }
-        const Node &b = mNodes[some];
-        const Node &a = mNodes[b.before];
-        const Node &c = mNodes[b.after];
-        const TriangleId t = mTriangles[mUsed++];
-        mWriter.setTriangle(t, a.vertex, b.vertex, c.vertex);
+        Node &b = mNodes[some];
+        Node &a = mNodes[b.before];
+        Node &c = mNodes[b.after];
+        const TriangleId t = makeTriangle(a, b, c);
         mWriter.link(cornerOf(t, 2), a.outer);
         mWriter.link(cornerOf(t, 0), b.outer);
         mWriter.link(cornerOf(t, 1), c.outer);
@@ -77,6 +107,7 @@ private:
         std::uint32_t before, after;
         double power; ///< how high the plane of the ear, lifted, passes over v; NoEar if the node is none
         std::uint32_t version;
+        bool isWithoutCorner;
     };
     struct Queued
     {
@@ -123,13 +154,25 @@ private:
         assert(mNodes[best].power != NoEar);
         return best;
     }
+    TriangleId makeTriangle(Node &a, Node &b, Node &c)
+    {
+        const TriangleId t = mTriangles[mUsed++];
+        mWriter.setTriangle(t, a.vertex, b.vertex, c.vertex);
+        std::uint32_t i = 0;
+        for (Node *node : {&a, &b, &c}) {
+            if (node->isWithoutCorner)
+                mWriter.setCornerOf(node->vertex, cornerOf(t, i));
+            node->isWithoutCorner = false;
+            ++i;
+        }
+        return t;
+    }
     void cut(std::uint32_t i)
     {
-        const Node &ear = mNodes[i];
+        Node &ear = mNodes[i];
         Node &a = mNodes[ear.before];
         Node &c = mNodes[ear.after];
-        const TriangleId t = mTriangles[mUsed++];
-        mWriter.setTriangle(t, a.vertex, ear.vertex, c.vertex);
+        const TriangleId t = makeTriangle(a, ear, c);
         mWriter.link(cornerOf(t, 2), a.outer);
         mWriter.link(cornerOf(t, 0), ear.outer);
         a.outer = cornerOf(t, 1);
@@ -141,12 +184,23 @@ private:
         rate(before);
         rate(after);
     }
+    // Kept from one removal to the next: nothing is allocated.
+    static std::vector<Node> &keptNodes()
+    {
+        static thread_local std::vector<Node> nodes;
+        return nodes;
+    }
+    static std::vector<TriangleId> &keptTriangles()
+    {
+        static thread_local std::vector<TriangleId> triangles;
+        return triangles;
+    }
     Point2 pointOf(std::uint32_t node) const { return mWriter.tin.points[mNodes[node].vertex]; }
 
     TinWriter &mWriter;
     const Point2 mCentre;
-    std::vector<Node> mNodes;
-    std::vector<TriangleId> mTriangles;
+    std::vector<Node> &mNodes = keptNodes();
+    std::vector<TriangleId> &mTriangles = keptTriangles();
     std::size_t mUsed = 0;
     std::priority_queue<Queued> mQueue;
 };
@@ -178,6 +232,7 @@ void removeVertex(TinWriter &writer, VertexId v)
             writer.noteArea(writer.tin.vertex(cornerOf(t, i)));
     }
     writer.edges.clear();
+    hole.moveCornersOut();
     hole.fill();
     for (std::size_t i = 0; i < hole.triangles().size(); ++i) {
         if (i < hole.usedTriangles())

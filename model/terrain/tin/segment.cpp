@@ -64,6 +64,9 @@ public:
             mTriangles.pop_back();
             // Corner 0 faces the base.
             mWriter.setTriangle(t, vertexAt(apex), vertexAt(span.last), vertexAt(span.first));
+            mWriter.setCornerOf(vertexAt(apex), cornerOf(t, 0));
+            mWriter.setCornerOf(vertexAt(span.last), cornerOf(t, 1));
+            mWriter.setCornerOf(vertexAt(span.first), cornerOf(t, 2));
             if (span.base != NoCorner)
                 mWriter.link(cornerOf(t, 0), span.base);
             if (corner == NoCorner)

@@ -20,6 +20,8 @@ Tin::Tin(const Rectangle &domain)
     const TriangleId t = writer.addTriangle(0), u = writer.addTriangle(0);
     writer.setTriangle(t, 0, 1, 2);
     writer.setTriangle(u, 0, 2, 3);
+    for (VertexId v = 0; v < 4; ++v)
+        writer.setCornerOf(v, v == 3 ? cornerOf(u, 2) : cornerOf(t, v));
     writer.link(cornerOf(t, 0), BorderOpposite);
     writer.link(cornerOf(t, 2), BorderOpposite);
     writer.link(cornerOf(u, 0), BorderOpposite);

@@ -156,6 +156,14 @@ struct TinArrays
     }
 };
 
+/// Says that this will be read soon.
+inline void prefetch([[maybe_unused]] const void *address)
+{
+#if defined(__GNUC__)
+    __builtin_prefetch(address);
+#endif
+}
+
 /// Calls `visit(corner)` for each corner at `v`: counter-clockwise from its own, and at the border clockwise for the
 /// rest.
 template <class Visit>

@@ -59,6 +59,7 @@ VertexId TinEdit::insert(Point2 p, VertexId near)
     if (hasLayers)
         mWriter.setColumn(v, weights);
     mWriter.restoreDelaunayAround(v);
+    mWriter.updateManyAreas();
     mTin.mHints.note(v, p);
     return v;
 }
@@ -81,6 +82,7 @@ void TinEdit::remove(VertexId v)
     const Point2 p = mArrays.points[v];
     const VertexId neighbour = mArrays.vertex(next(mArrays.corners[v]));
     removeVertex(mWriter, v);
+    mWriter.updateManyAreas();
     mTin.mHints.replace(v, p, neighbour);
 }
 

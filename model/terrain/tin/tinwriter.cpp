@@ -112,9 +112,6 @@ void TinWriter::setTriangle(TriangleId t, VertexId a, VertexId b, VertexId c)
     v[0] = a;
     v[1] = b;
     v[2] = c;
-    setCornerOf(a, cornerOf(t, 0));
-    setCornerOf(b, cornerOf(t, 1));
-    setCornerOf(c, cornerOf(t, 2));
 }
 
 void TinWriter::setConstrained(Corner c, bool isConstrained)
@@ -169,6 +166,8 @@ void TinWriter::splitTriangle(TriangleId t, VertexId v)
     setTriangle(t, v, b, c);
     setTriangle(u, v, c, a);
     setTriangle(w, v, a, b);
+    setCornerOf(v, cornerOf(t, 0));
+    moveCorner(a, cornerOf(t, 0), cornerOf(u, 2));
     gainVolume({t, u, w}, v);
     link(cornerOf(t, 0), outerA);
     link(cornerOf(u, 0), outerB);
@@ -192,8 +191,13 @@ void TinWriter::splitEdge(Corner c, VertexId v)
     const TriangleId t2 = addTriangle(tin.triangleFlags[t]);
     if (o == NoCorner) {
         loseVolume({t}, v);
+        const Corner cornerA = c, cornerB = next(c), cornerD = previous(c);
         setTriangle(t, v, d, a);
         setTriangle(t2, v, a, b);
+        setCornerOf(v, cornerOf(t, 0));
+        moveCorner(a, cornerA, cornerOf(t, 2));
+        moveCorner(b, cornerB, cornerOf(t2, 2));
+        moveCorner(d, cornerD, cornerOf(t, 1));
         gainVolume({t, t2}, v);
         link(cornerOf(t, 0), outerDa);
         link(cornerOf(t2, 0), outerAb);
@@ -214,6 +218,13 @@ void TinWriter::splitEdge(Corner c, VertexId v)
     setTriangle(t2, v, a, b);
     setTriangle(u, v, b, e);
     setTriangle(u2, v, e, d);
+    setCornerOf(v, cornerOf(t, 0));
+    moveCorner(a, c, cornerOf(t, 2));
+    moveCorner(b, next(c), cornerOf(t2, 2));
+    moveCorner(d, previous(c), cornerOf(t, 1));
+    moveCorner(e, o, cornerOf(u, 2));
+    moveCorner(d, next(o), cornerOf(u2, 2));
+    moveCorner(b, previous(o), cornerOf(u, 1));
     gainVolume({t, t2, u, u2}, v);
     link(cornerOf(t, 0), outerDa);
     link(cornerOf(t2, 0), outerAb);

@@ -71,12 +71,18 @@ public:
     void addLayer(std::uint32_t layer, std::uint8_t material);
     void removeLayer(std::uint32_t layer);
 
-    /// Sets the three vertices of `t`, and `t` as the triangle of each.
+    /// Sets the three vertices of `t`. Whose corner it is from now on is the caller's: moveCorner().
     void setTriangle(TriangleId t, VertexId a, VertexId b, VertexId c);
     void setCornerOf(VertexId v, Corner c)
     {
         touchLinks(v);
         tin.corners[v] = c;
+    }
+    /// Where `before` was the corner of `v`, `after` becomes it.
+    void moveCorner(VertexId v, Corner before, Corner after)
+    {
+        if (tin.corners[v] == before)
+            setCornerOf(v, after);
     }
     /// Joins the edges of two corners. `opposite` carries the constrained bit; BorderOpposite ends at the border.
     void link(Corner c, Corner opposite)
@@ -111,6 +117,13 @@ public:
         if (mIsRecording && mJournal.noteArea(v))
             mAreasToDo.push_back(v);
     }
+    /// Recomputes dual areas if many are noted: while their triangles are still in the cache. For the end of an
+    /// operation, when the triangulation is whole.
+    void updateManyAreas()
+    {
+        if (mAreasToDo.size() >= ManyAreas)
+            updateAreas();
+    }
     /// Recomputes the dual areas of all vertices noted; they are appended to `reconnected`.
     void updateAreas();
     std::vector<VertexId> reconnected;
@@ -127,6 +140,10 @@ private:
     void gainVolume(std::initializer_list<TriangleId> triangles, VertexId level);
 
     void moveLayers(VertexId v, double up);
+
+    /// So many that a stamp's neighbours are computed once, so few that their triangles are still in the cache: 10,000
+    /// scattered insertions into 1M vertices took 6.6 us each with all areas at the end, and 5.0 us so.
+    static constexpr std::size_t ManyAreas = 512;
 
     Journal &mJournal;
     const bool mIsRecording;
