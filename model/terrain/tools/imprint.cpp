@@ -460,14 +460,15 @@ void ImprintStroke::stamp(TinEdit &edit, const StampPose &pose, double sole, Own
     const std::vector<Point2> soleOutline = clippedTo(tin.domain(), place(mSoleOutline, pose));
     if (outline.size() < 3 || soleOutline.size() < 3 || !(doubleAreaOf(soleOutline) > 0))
         return;
-    memory.disc.search(tin, pose.at, mReach);
-    const std::span<const VertexId> under = memory.disc.vertices();
-    VertexId near = under.empty() ? None : under.front();
-    const bool isAbove =
-        std::all_of(under.begin(), under.end(), [&](VertexId v) { return arrays.heights[v] <= sole; }) &&
+    VertexId near = arrays.vertex(tin.locate(outline.front()).corner);
+    const bool isAboveBorder =
         std::all_of(outline.begin(), outline.end(), [&](Point2 p) { return tin.heightAt(p, near) <= sole; });
-    if (isAbove)
-        return;
+    if (isAboveBorder) { // then it may still meet a hill in the middle
+        memory.disc.search(tin, pose.at, mReach);
+        const std::span<const VertexId> under = memory.disc.vertices();
+        if (std::all_of(under.begin(), under.end(), [&](VertexId v) { return arrays.heights[v] <= sole; }))
+            return;
+    }
     const double before = edit.leak();
 
     std::vector<VertexId> corners;

@@ -180,10 +180,11 @@ const char *nameOf(const Tool &tool)
     return Names[tool.index()];
 }
 
-Result<void> check(const Stroke &stroke)
+namespace {
+
+/// All but the tool's own settings.
+Result<void> checkWay(const Stroke &stroke)
 {
-    if (const Result<void> checked = std::visit([](const auto &tool) { return check(tool); }, stroke.tool); !checked)
-        return checked;
     if (const Result<void> checked = checkPath(stroke.path); !checked)
         return checked;
     if (const auto *ramp = std::get_if<Ramp>(&stroke.tool)) {
@@ -196,9 +197,20 @@ Result<void> check(const Stroke &stroke)
     return stroke.symmetry.check();
 }
 
+} // namespace
+
+Result<void> check(const Stroke &stroke)
+{
+    if (const Result<void> checked = std::visit([](const auto &tool) { return check(tool); }, stroke.tool); !checked)
+        return checked;
+    return checkWay(stroke);
+}
+
 Result<StrokeReport> draw(TinEdit &edit, const Stroke &stroke, OwnerId owner, ToolMemory &memory)
 {
-    if (const Result<void> checked = check(stroke); !checked)
+    // An imprint's settings are checked where its sole is made, once.
+    const Result<void> checked = std::holds_alternative<Imprint>(stroke.tool) ? checkWay(stroke) : check(stroke);
+    if (!checked)
         return fail(checked.error());
     if (owner == None)
         owner = nextFreeOwner(edit.tin());
