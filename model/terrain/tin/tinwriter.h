@@ -141,8 +141,8 @@ private:
 
     void moveLayers(VertexId v, double up);
 
-    /// So many that a stamp's neighbours are computed once, so few that their triangles are still in the cache: 10,000
-    /// scattered insertions into 1M vertices took 6.6 us each with all areas at the end, and 5.0 us so.
+    /// So many that a stamp's neighbours are computed once, so few that their triangles should still be in the cache.
+    /// Not measured apart from what else was changed with it (README.md, Choices).
     static constexpr std::size_t ManyAreas = 512;
 
     Journal &mJournal;
