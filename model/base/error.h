@@ -39,6 +39,8 @@ enum class ErrorCode : std::uint16_t {
     ImporterFailed,     ///< a library's reader refused the file; args: its message
     MeshesDiffer,       ///< two animations that cannot be compared; args: what, here, there
     BadPermutation,     ///< a permutation file that is none; args: what is wrong
+    NoSurface,          ///< an elevation model without ground: all of it is void
+    NotASurface,        ///< a mesh that is not one height for each place; args: where, why
     BrokenTerrain,      ///< a triangulation that breaks its own rules; args: the rule, the ids at fault
     // The caller asked for something that cannot be.
     BadSetting,          ///< args: the setting, its value, the allowed range

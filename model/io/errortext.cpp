@@ -33,6 +33,9 @@ QString translate(const char *text)
     QT_TRANSLATE_NOOP("ErrorText", "number of points"),
     QT_TRANSLATE_NOOP("ErrorText", "extent of the terrain"),
     QT_TRANSLATE_NOOP("ErrorText", "more than nothing in both directions"),
+    QT_TRANSLATE_NOOP("ErrorText", "size of the grid"),
+    QT_TRANSLATE_NOOP("ErrorText", "at least %1 x %2"),
+    QT_TRANSLATE_NOOP("ErrorText", "column %1 of row %2"),
 };
 
 /// What happened, with places for the arguments of the code.
@@ -100,6 +103,11 @@ const char *rowOf(ErrorCode code, bool hasArguments)
                                               "other.");
     case ErrorCode::BadPermutation:
         return QT_TRANSLATE_NOOP("ErrorText", "This is not a permutation of the vertices: %1.");
+    case ErrorCode::NoSurface:
+        return QT_TRANSLATE_NOOP("ErrorText", "The file holds no ground: every part of it is void.");
+    case ErrorCode::NotASurface:
+        return QT_TRANSLATE_NOOP("ErrorText", "The mesh cannot be a terrain, which has one height at each place: %2, at %1. "
+                                              "If height is not its z, say which axis is up.");
     case ErrorCode::BrokenTerrain:
         return QT_TRANSLATE_NOOP("ErrorText", "The terrain is damaged: %1 (%2).");
     case ErrorCode::CrossingConstraints:

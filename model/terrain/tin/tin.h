@@ -60,6 +60,7 @@ public:
 private:
     friend class TinEdit;
     friend struct TinBuilder;
+    friend struct TinRestorer;
 
     TinArrays mArrays;
     Journal mJournal;

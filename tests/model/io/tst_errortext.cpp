@@ -18,6 +18,7 @@ int argumentCount(ErrorCode code)
     case ErrorCode::MissingBaseMesh:
     case ErrorCode::NotFound:
     case ErrorCode::Cancelled:
+    case ErrorCode::NoSurface:
         return 0;
     case ErrorCode::NoFrames:
     case ErrorCode::UnknownFormat:
@@ -38,6 +39,7 @@ int argumentCount(ErrorCode code)
     case ErrorCode::CannotWrite:
     case ErrorCode::OutOfMemory:
         return 1;
+    case ErrorCode::NotASurface:
     case ErrorCode::BrokenTerrain:
     case ErrorCode::SyntaxError:
     case ErrorCode::IndexOutOfRange:
