@@ -514,10 +514,6 @@
         <translation>Ve scéně není co animovat: %1.</translation>
     </message>
     <message>
-        <source>The scene cannot be read: %1</source>
-        <translation>Scénu nelze přečíst: %1</translation>
-    </message>
-    <message>
         <source>The two animations cannot be compared: %1 is %2 in one and %3 in the other.</source>
         <translation>Tyto dvě animace nelze porovnat: %1 je v jedné %2 a ve druhé %3.</translation>
     </message>
@@ -816,6 +812,186 @@
     <message>
         <source>There is not enough memory. Close other programs or use a smaller animation.</source>
         <translation>Nedostatek paměti. Zavřete jiné programy nebo použijte menší animaci.</translation>
+    </message>
+    <message>
+        <source>size of the grid</source>
+        <translation>velikost mřížky</translation>
+    </message>
+    <message>
+        <source>at least %1 x %2</source>
+        <translation>alespoň %1 x %2</translation>
+    </message>
+    <message>
+        <source>column %1 of row %2</source>
+        <translation>sloupec %1 řádku %2</translation>
+    </message>
+    <message>
+        <source>constraint</source>
+        <translation>pevná hrana</translation>
+    </message>
+    <message>
+        <source>exception count</source>
+        <translation>počet výjimek</translation>
+    </message>
+    <message>
+        <source>layer count</source>
+        <translation>počet vrstev</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>jednotka</translation>
+    </message>
+    <message>
+        <source>packed size</source>
+        <translation>velikost po zabalení</translation>
+    </message>
+    <message>
+        <source>unpacked size</source>
+        <translation>velikost po rozbalení</translation>
+    </message>
+    <message>
+        <source>step count</source>
+        <translation>počet kroků</translation>
+    </message>
+    <message>
+        <source>reference size</source>
+        <translation>velikost odkazů</translation>
+    </message>
+    <message>
+        <source>outer vertex count</source>
+        <translation>počet cizích vrcholů</translation>
+    </message>
+    <message>
+        <source>outer vertex size</source>
+        <translation>velikost cizích vrcholů</translation>
+    </message>
+    <message>
+        <source>tile size</source>
+        <translation>velikost dlaždice</translation>
+    </message>
+    <message>
+        <source>tile count</source>
+        <translation>počet dlaždic</translation>
+    </message>
+    <message>
+        <source>number of materials</source>
+        <translation>počet materiálů</translation>
+    </message>
+    <message>
+        <source>number of layers</source>
+        <translation>počet vrstev</translation>
+    </message>
+    <message>
+        <source>number of levels</source>
+        <translation>počet hladin</translation>
+    </message>
+    <message>
+        <source>material of layer %1</source>
+        <translation>materiál vrstvy %1</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>počátek</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>objem</translation>
+    </message>
+    <message>
+        <source>height prediction</source>
+        <translation>předpověď výšek</translation>
+    </message>
+    <message>
+        <source>void mark</source>
+        <translation>značka prázdna</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1</source>
+        <translation>Soubor nelze přečíst: %1</translation>
+    </message>
+    <message>
+        <source>The file holds no ground: every part of it is void.</source>
+        <translation>Soubor neobsahuje žádný terén: celý je prázdný.</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be a terrain, which has one height at each place: %2, at %1. If height is not its z, say which axis is up.</source>
+        <translation>Síť nemůže být terénem, který má na každém místě jedinou výšku: %2, na místě %1. Není-li výškou osa z, řekněte, která osa míří vzhůru.</translation>
+    </message>
+    <message>
+        <source>band</source>
+        <translation>pásmo</translation>
+    </message>
+    <message>
+        <source>complex numbers</source>
+        <translation>komplexní čísla</translation>
+    </message>
+    <message>
+        <source>a grid that is turned</source>
+        <translation>pootočená mřížka</translation>
+    </message>
+    <message>
+        <source>cells that are not square; GeoTIFF has them</source>
+        <translation>buňky, které nejsou čtvercové; umí je GeoTIFF</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>text</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>číslo</translation>
+    </message>
+    <message>
+        <source>a list of [humidity, degrees]</source>
+        <translation>seznam dvojic [vlhkost, stupně]</translation>
+    </message>
+    <message>
+        <source>recovery</source>
+        <translation>obnovovací</translation>
+    </message>
+    <message>
+        <source>the saved file</source>
+        <translation>uložený soubor</translation>
+    </message>
+    <message>
+        <source>a face stands upright</source>
+        <translation>některá stěna stojí svisle</translation>
+    </message>
+    <message>
+        <source>a point lies above another</source>
+        <translation>jeden bod leží nad druhým</translation>
+    </message>
+    <message>
+        <source>edges cross, seen from above</source>
+        <translation>hrany se při pohledu shora kříží</translation>
+    </message>
+    <message>
+        <source>faces lie above one another</source>
+        <translation>stěny leží nad sebou</translation>
+    </message>
+    <message>
+        <source>a JSON object</source>
+        <translation>objekt JSON</translation>
+    </message>
+    <message>
+        <source>number of parts</source>
+        <translation>počet částí</translation>
+    </message>
+    <message>
+        <source>name of a part</source>
+        <translation>jméno části</translation>
+    </message>
+    <message>
+        <source>a relative path</source>
+        <translation>relativní cesta</translation>
+    </message>
+    <message>
+        <source>encryption</source>
+        <translation>šifrování</translation>
+    </message>
+    <message>
+        <source>another compression of its parts</source>
+        <translation>jiná komprese jeho částí</translation>
     </message>
 </context>
 <context>

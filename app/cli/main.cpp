@@ -42,7 +42,8 @@ int main(int argc, char **argv)
     cli::Console console;
     cli::Run run;
 
-    CLI::App app("Turns triangle-mesh animations into small .anim files and back, and measures what was lost.",
+    CLI::App app("Turns triangle-mesh animations into small .anim files and back, and measures what was lost;\n"
+                 "makes, imports, changes and exports terrains.",
                  "sandreel-cli");
     app.set_version_flag("--version", "sandreel-cli " SANDREEL_VERSION);
     app.set_help_all_flag("--help-all", "Help of all sub-commands");
@@ -60,6 +61,7 @@ int main(int argc, char **argv)
     cli::addInfo(app, run);
     cli::addCompare(app, run);
     cli::addRender(app, run);
+    cli::addTerrain(app, run);
 
     try {
         app.parse(argc, argv);

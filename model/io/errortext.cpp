@@ -36,6 +36,26 @@ QString translate(const char *text)
     QT_TRANSLATE_NOOP("ErrorText", "size of the grid"),
     QT_TRANSLATE_NOOP("ErrorText", "at least %1 x %2"),
     QT_TRANSLATE_NOOP("ErrorText", "column %1 of row %2"),
+    QT_TRANSLATE_NOOP("ErrorText", "constraint"),
+    QT_TRANSLATE_NOOP("ErrorText", "exception count"),
+    QT_TRANSLATE_NOOP("ErrorText", "layer count"),
+    QT_TRANSLATE_NOOP("ErrorText", "unit"),
+    QT_TRANSLATE_NOOP("ErrorText", "packed size"),
+    QT_TRANSLATE_NOOP("ErrorText", "unpacked size"),
+    QT_TRANSLATE_NOOP("ErrorText", "step count"),
+    QT_TRANSLATE_NOOP("ErrorText", "reference size"),
+    QT_TRANSLATE_NOOP("ErrorText", "outer vertex count"),
+    QT_TRANSLATE_NOOP("ErrorText", "outer vertex size"),
+    QT_TRANSLATE_NOOP("ErrorText", "tile size"),
+    QT_TRANSLATE_NOOP("ErrorText", "tile count"),
+    QT_TRANSLATE_NOOP("ErrorText", "number of materials"),
+    QT_TRANSLATE_NOOP("ErrorText", "number of layers"),
+    QT_TRANSLATE_NOOP("ErrorText", "number of levels"),
+    QT_TRANSLATE_NOOP("ErrorText", "material of layer %1"),
+    QT_TRANSLATE_NOOP("ErrorText", "origin"),
+    QT_TRANSLATE_NOOP("ErrorText", "volume"),
+    QT_TRANSLATE_NOOP("ErrorText", "height prediction"),
+    QT_TRANSLATE_NOOP("ErrorText", "void mark"),
 };
 
 /// What happened, with places for the arguments of the code.
@@ -97,7 +117,7 @@ const char *rowOf(ErrorCode code, bool hasArguments)
     case ErrorCode::NoAnimation:
         return QT_TRANSLATE_NOOP("ErrorText", "The scene has nothing to animate: %1.");
     case ErrorCode::ImporterFailed:
-        return QT_TRANSLATE_NOOP("ErrorText", "The scene cannot be read: %1");
+        return QT_TRANSLATE_NOOP("ErrorText", "The file cannot be read: %1");
     case ErrorCode::MeshesDiffer:
         return QT_TRANSLATE_NOOP("ErrorText", "The two animations cannot be compared: %1 is %2 in one and %3 in the "
                                               "other.");

@@ -9,6 +9,9 @@
 #include "tests/model/codec/animations.h"
 
 #include "model/codec/animationcodec.h"
+#include "model/io/terrain/terrainfile.h"
+#include "model/io/terrain/tilecodec.h"
+#include "model/terrain/tin/tinedit.h"
 
 #include <filesystem>
 #include <fstream>
@@ -171,6 +174,38 @@ void files()
     write("pointcache", "mdd", "\3\0\0\0\2\0\0\0\2\0\0\0\0\x3d\x23\xd7\x0a"s + std::string(48, '\1'));
 }
 
+/// A small terrain with a layer, a void and a constraint; as a file, and its surface alone.
+void terrains()
+{
+    using namespace std::string_literals;
+    std::vector<terrain::Point3> points;
+    for (int i = 0; i < 40; ++i)
+        points.push_back({double(i * 7 % 16), double(i * 11 % 13), i % 5 * 0.25});
+    terrain::Terrain small(terrain::buildTin(points, {{0, 0}, {16, 16}})->tin);
+    small.materials.emplace_back();
+    terrain::TinEdit edit(small.tin);
+    edit.addLayer(0, 0);
+    edit.setLayer(6, 0, {0.5, 0.25f});
+    (void)edit.constrain(5, 20, 3, terrain::Crossing::Split);
+    edit.setVoid(std::vector<terrain::TriangleId>{10, 11}, true);
+    edit.commit();
+    write("terrainfile", "file", Bytes{0} + *io::formatTerrain(small, {}));
+    write("terrainfile", "surface", Bytes{1} + *io::encodeSurface(small.tin.arrays(), small.tin.domain(), {}));
+    write("terrainfile", "two-triangles",
+          Bytes{1} + *io::encodeSurface(terrain::Tin({{0, 0}, {1, 1}}).arrays(), {{0, 0}, {1, 1}}, {}));
+    write("terrainfile", "edit",
+          "\2\2\0\0\1"s + "\0\0\0\0\0\0\x10\x40\0\0\0\0\0\0\x10\x40"s + std::string(8, '\0') + "\0\0\0"s +
+              std::string(88, '\0'));
+    write("terrainfile", "settings",
+          "\2\3{\"materials\":[{\"name\":\"a\"}],\"origin\":[0,0],\"crs\":\"\",\"unit\":\"metre\"}"s);
+    write("terrainimport", "points", "\0X;Y;Z\n1 2 3\n4,5,6\n7;8;9\n"s);
+    write("terrainimport", "raw", "\1\4\4\0\x40"s + "abcdefghijklmnop"s);
+    write("terrainimport", "obj", "\2v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nf 1 2 3 4\n"s);
+    write(
+        "terrainimport", "stl",
+        "\4solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"s);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -185,4 +220,5 @@ int main(int argc, char **argv)
     stages();
     roundTrips();
     files();
+    terrains();
 }

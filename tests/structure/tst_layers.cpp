@@ -98,6 +98,10 @@ private slots:
         const QList<std::pair<QString, QString>> adapters{{"assimp/", "model/io/"},
                                                           {"Eigen/", "model/codec/"},
                                                           {"CLI/", "app/"},
+                                                          {"gdal", "model/io/terrain/gdalraster.cpp"},
+                                                          {"ogr_", "model/io/terrain/gdalraster.cpp"},
+                                                          {"cpl_", "model/io/terrain/gdalraster.cpp"},
+                                                          {"zip.h", "model/io/terrain/zipfile.cpp"},
                                                           {"CGAL/", "model/terrain/tin/exactpredicates.cpp"}};
         QStringList broken;
         for (const QString &top : productFolders())

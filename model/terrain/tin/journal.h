@@ -33,6 +33,7 @@ public:
 
 private:
     friend class Journal;
+    friend class OtherSide;
 
     template <class T>
     struct Saved
@@ -93,6 +94,28 @@ private:
     bool mChangesLayers = false; ///< how many there are, or what they are made of
     bool mIsUndone = false;
 };
+
+/// What an edit did to vertices and constraints, without the numbers of slots: by points, which tell vertices apart in
+/// any copy of the TIN.
+struct EditChanges
+{
+    struct Line
+    {
+        Point2 a, b;
+        OwnerId owner = None;
+
+        friend constexpr bool operator==(const Line &, const Line &) = default;
+    };
+    std::vector<Point2> removed;   ///< where there was a vertex, and is none
+    std::vector<VertexId> present; ///< vertices that are new or have another height or other layers
+    std::vector<Line> released;    ///< constraints that were, and are not; VoidOwner's too
+    std::vector<Line> constrained; ///< constraints that are, and were not
+    bool changesLayers = false;    ///< how many there are, or of what: `present` does not list what that changed
+};
+
+/// What led from the other side of `edit` to `tin`, which is on one of its sides. After an undo, that is what the undo
+/// did. Cost: that of the edit.
+EditChanges changesOf(const Edit &edit, const TinArrays &tin);
 
 /// Saves slots before they are written for the first time in an edit.
 class Journal

@@ -142,7 +142,7 @@ void randomStep(TinEdit &edit, PointSource &source)
         if (tin.records.size() == 0)
             return;
         const ConstraintRecord record = tin.records[source.below(std::uint32_t(tin.records.size()))];
-        if (record.a == None)
+        if (record.a == None || record.owner == VoidOwner)
             return;
         if (source.below(20) == 0)
             edit.releaseOwner(record.owner);
