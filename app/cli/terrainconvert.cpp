@@ -56,6 +56,10 @@ model::Result<void> Import::run(Console &console)
         return model::fail(imported.error());
     model::io::TerrainFile file{std::move(imported->terrain), {}, false};
     file.extras.step = imported->step;
+    if (file.terrain.geoReference.unit.find("degree") != std::string::npos)
+        console.note(QStringLiteral(
+            "The coordinates are degrees and the heights are not: slopes and volumes mean nothing. Project "
+            "the model first, for instance with gdalwarp."));
     return output.save(console, file,
                        {{"samples", double(imported->samples)},
                         {"voids", double(imported->voids)},

@@ -275,7 +275,7 @@ private:
                 return true;
         return false;
     }
-    /// Errors name the entry as the file they are in: "hills.terrain/terrain/surface" is added by who knows the path.
+    /// Bytes in errors are those of the entry, which is named until openTerrain() names the file.
     static tl::unexpected<Error> failAt(const char *entry, Error error) { return fail(std::move(error).in(entry)); }
 
     Result<void> checkEntries(const QJsonObject &manifest) const
