@@ -14,6 +14,8 @@ namespace model::terrain {
 namespace {
 
 constexpr std::size_t Grain = 1 << 14;
+/// Areas of a domain with shorter sides would underflow.
+constexpr double SmallestExtent = 1e-100;
 
 /// The first broken rule that any thread finds.
 class Finding
@@ -44,7 +46,7 @@ void inspectSizes(const TinArrays &tin, const Rectangle &domain, Finding &findin
     if (layers > MaxLayers || tin.thicknesses.size() != v * layers || tin.humidities.size() != v * layers)
         return finding.report(TinRule::Layers, 0);
     const Point2 corners[] = {domain.low, {domain.high.x, domain.low.y}, domain.high, {domain.low.x, domain.high.y}};
-    if (!(domain.low.x < domain.high.x && domain.low.y < domain.high.y))
+    if (!(domain.high.x - domain.low.x >= SmallestExtent && domain.high.y - domain.low.y >= SmallestExtent))
         return finding.report(TinRule::Border, 0);
     for (VertexId i = 0; i < 4; ++i)
         if (tin.points[i] != corners[i])

@@ -137,6 +137,16 @@ private slots:
         }
     }
 
+    /// Found by fuzzing: areas that underflow.
+    void aDomainOfNextToNothingIsRefused()
+    {
+        const Rectangle domain{{0, 0}, {1e-300, 1}};
+        Parts parts = partsOf(Tin(domain), 1);
+        const auto restored = restoreTin(std::move(parts.arrays), domain, {});
+        QVERIFY(!restored.has_value());
+        QCOMPARE(restored.error().args[0], std::string(nameOf(TinRule::Border)));
+    }
+
     void canBeEditedAfterwards()
     {
         const Tin tin = specimen(tests::Ground::Random, 3, false);
