@@ -126,8 +126,9 @@ const char *rowOf(ErrorCode code, bool hasArguments)
     case ErrorCode::NoSurface:
         return QT_TRANSLATE_NOOP("ErrorText", "The file holds no ground: every part of it is void.");
     case ErrorCode::NotASurface:
-        return QT_TRANSLATE_NOOP("ErrorText", "The mesh cannot be a terrain, which has one height at each place: %2, at %1. "
-                                              "If height is not its z, say which axis is up.");
+        return QT_TRANSLATE_NOOP("ErrorText",
+                                 "The mesh cannot be a terrain, which has one height at each place: %2, at %1. "
+                                 "If height is not its z, say which axis is up.");
     case ErrorCode::BrokenTerrain:
         return QT_TRANSLATE_NOOP("ErrorText", "The terrain is damaged: %1 (%2).");
     case ErrorCode::CrossingConstraints:

@@ -199,7 +199,8 @@ private:
     bool mIsRecording = false;
     Edit::Slots mBase;
     Edit mEdit;
-    SlotMarks mSeenPoints, mSeenHeights, mSeenAreas, mSeenColumns, mSeenLinks, mSeenTriangles, mSeenRecords, mNotedAreas;
+    SlotMarks mSeenPoints, mSeenHeights, mSeenAreas, mSeenColumns, mSeenLinks, mSeenTriangles, mSeenRecords,
+        mNotedAreas;
 };
 
 } // namespace model::terrain
