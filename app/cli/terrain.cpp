@@ -322,6 +322,7 @@ void addTerrain(CLI::App &app, Run &run)
     addTerrainInfo(*command, run);
     addTerrainValidate(*command, run);
     addTerrainVolume(*command, run);
+    addTerrainRun(*command, run);
 }
 
 } // namespace cli

@@ -14,6 +14,7 @@ void addTerrainVolume(CLI::App &app, Run &run);
 void addTerrainImport(CLI::App &app, Run &run);
 void addTerrainExport(CLI::App &app, Run &run);
 void addTerrainSimplify(CLI::App &app, Run &run);
+void addTerrainRun(CLI::App &app, Run &run);
 
 /// The file that a sub-command reads: `FILE.terrain`.
 struct TerrainInput

@@ -198,6 +198,10 @@ void terrains()
               std::string(88, '\0'));
     write("terrainfile", "settings",
           "\2\3{\"materials\":[{\"name\":\"a\"}],\"origin\":[0,0],\"crs\":\"\",\"unit\":\"metre\"}"s);
+    write("terrainscript", "strokes",
+          "{\"terrain\":{\"new\":{\"layers\":[{\"material\":\"mud\"}]}},\"steps\":[{\"stroke\":{\"tool\":\"imprint\","
+          "\"outline\":\"wedge\",\"path\":[[1,1],[5,5,0.5]],"
+          "\"mask\":{\"highest_slope\":60}}},{\"material\":{\"index\":0,\"preset\":\"snow\"}},{\"validate\":true}]}"s);
     write("terrainimport", "points", "\0X;Y;Z\n1 2 3\n4,5,6\n7;8;9\n"s);
     write("terrainimport", "raw", "\1\4\4\0\x40"s + "abcdefghijklmnop"s);
     write("terrainimport", "obj", "\2v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nf 1 2 3 4\n"s);
