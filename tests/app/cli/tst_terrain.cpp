@@ -109,6 +109,9 @@ void TestTerrain::refusesWithItsExitCode_data()
     put(path("broken.terrain"), "PK\x03\x04 nothing");
     put(path("wall.obj"), "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
     put(path("four.raw"), "abcd");
+    put(path("bad.json"), "{\"steps\": [{\"validate\": true}, {\"stroke\": {\"tool\": \"spoon\"}}]}");
+    QTest::newRow("a script with a wrong tool")
+        << QStringList{"terrain", "run", path("bad.json"), "-o", path("w.terrain")} << 2 << "steps[1].stroke.tool";
     QTest::newRow("no sub-command") << QStringList{"terrain"} << 2 << "";
     QTest::newRow("no file") << QStringList{"terrain", "info", path("none.terrain")} << 4 << "no such file";
     QTest::newRow("a broken file") << QStringList{"terrain", "validate", path("broken.terrain")} << 3
@@ -216,6 +219,25 @@ void TestTerrain::realModelEndToEnd()
     SANDREEL_RUN(infoTwo, 0, {"--json", "terrain", "info", path("again.terrain")});
     QCOMPARE(infoTwo.json()["origin"], infoOne.json()["origin"]);
     QCOMPARE(infoTwo.json()["crs"].toString().isEmpty(), infoOne.json()["crs"].toString().isEmpty());
+    // A tool drawn across it and sand that slides, in its own layer; what was moved is neither lost nor made.
+    SANDREEL_RUN(extent, 0, {"--json", "terrain", "info", terrain});
+    const QJsonObject box = extent.json()["box"].toObject();
+    const double width = box["max"][0].toDouble() - box["min"][0].toDouble(),
+                 depth = box["max"][1].toDouble() - box["min"][1].toDouble();
+    const auto number = [](double value) { return QByteArray::number(value, 'g', 12); };
+    put(path("script.json"), "{\"terrain\": {\"open\": \"real.terrain\"}, \"steps\": [{\"material\": {\"index\": 0, "
+                             "\"preset\": \"dry sand\"}},"
+                             "{\"add_layer\": {\"material\": 0, \"thickness\": 0.5}}, {\"validate\": true},"
+                             "{\"stroke\": {\"tool\": \"imprint\", \"depth\": 0.5, \"radius\": " +
+                                 number(0.04 * width) + ", \"path\": [[" + number(0.4 * width) + "," +
+                                 number(0.4 * depth) + "],[" + number(0.6 * width) + "," + number(0.6 * depth) +
+                                 "]]}}, {\"validate\": true}, {\"erode\": {\"seconds\": 0.1}}, {\"validate\": true}]}");
+    SANDREEL_RUN(played, 0, {"--json", "terrain", "run", path("script.json"), "-o", path("played.terrain")});
+    QVERIFY(played.json()["stamps"].toInt() > 0);
+    QCOMPARE(validate(path("played.terrain")), 0);
+    SANDREEL_RUN(volumePlayed, 0, {"--json", "terrain", "volume", path("played.terrain")});
+    QVERIFY2(volumePlayed.json()["drift_relative"].toDouble(1) < 1e-10, volumePlayed.out.constData());
+    SANDREEL_RUN(playedOut, 0, {"terrain", "export", path("played.terrain"), "-o", path("played.tif")});
     SANDREEL_RUN(mesh, 0, {"terrain", "export", terrain, "-o", path("real.ply")});
     SANDREEL_RUN(
         simple, 0,
