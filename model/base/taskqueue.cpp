@@ -41,9 +41,10 @@ struct TaskQueue::Shared
             given.wait(lock, [this] { return isEnded || !tasks.empty(); });
             if (isEnded)
                 return;
+            const std::function<void()> &task = tasks.front(); // stays where it is while others are added behind it
             lock.unlock();
             try {
-                tasks.front()(); // the front stays where it is while others are added behind it
+                task();
                 lock.lock();
                 tasks.pop_front();
             } catch (...) {

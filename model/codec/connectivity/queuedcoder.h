@@ -52,7 +52,8 @@ public:
     }
     Clers symbol(SymbolModel &model, const GateView &gate, Clers symbol)
     {
-        mSymbols = &model;
+        if (!mSymbols) // once, before the other thread reads it
+            mSymbols = &model;
         add(Symbol{gate, symbol});
         return symbol;
     }
