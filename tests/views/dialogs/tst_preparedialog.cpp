@@ -298,7 +298,7 @@ private slots:
         QVERIFY(table->item(0, 0)->text().startsWith("PCA, basis 1, resolution 10,000"));
         QVERIFY(table->item(1, 0)->text().startsWith("PCA, basis 7, resolution 10,000"));
         const auto number = [table](int row, int column) {
-            return QLocale().toDouble(table->item(row, column)->text().section(' ', 0, 0));
+            return QLocale().toDouble(table->item(row, column)->text().section(QChar(0xa0), 0, 0));
         };
         constexpr int KgError = 4;
         QVERIFY(number(0, KgError) > number(1, KgError));
