@@ -14,6 +14,9 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// A film of material thinner than this, in metres, does not say how steep a slope stands. It slides with the rest.
 constexpr double Film = 1e-9;
+/// A step that moves no vertex by as much, in metres, is none. The heights of a sliver, whose vertices are in a line
+/// but for their rounding, are rounded too: it would be too steep for ever.
+constexpr double LeastMove = Film;
 
 double tangent(double degrees)
 {
@@ -77,6 +80,10 @@ void Slider::sweepAlike(Patch::List &list) const
         const double excess = omega * (1 - slope * shape.doubleArea / std::sqrt(shape.squaredGradient));
         double step =
             std::min(excess, 1.0) * shape.squaredGradient / (shape.q[0] * da + shape.q[1] * db + shape.q[2] * dc);
+        if (!(step * std::max({std::abs(da), std::abs(db), std::abs(dc)}) > LeastMove)) {
+            triangle.tag &= ~1u;
+            continue;
+        }
         if constexpr (HasFloor) {
             if (step * da > a.z - floors[triangle.vertices[0]] || step * db > b.z - floors[triangle.vertices[1]] ||
                 step * dc > c.z - floors[triangle.vertices[2]]) {
@@ -248,9 +255,12 @@ bool Slider::plan(const PatchTriangle &triangle, Plan &plan) const
     for (int i = 0; i < 3; ++i)
         if (shape.q[i] > 0 && step * shape.q[i] * v[i]->inverseArea > room[i])
             step = room[i] / (shape.q[i] * v[i]->inverseArea);
-    for (int i = 0; i < 3; ++i)
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
         plan.dz[i] = -step * shape.q[i] * v[i]->inverseArea;
-    return true;
+        most = std::max(most, std::abs(plan.dz[i]));
+    }
+    return most > LeastMove;
 }
 
 /// One vertex stays; a volume s goes from one of the others to the last. That changes the gradient (times the double
@@ -287,8 +297,7 @@ bool Slider::planPair(const PatchTriangle &triangle, const Shape &shape, int fix
     const double least = -descent / square;
     double volume = discriminant > 0 ? mRule.relaxation * (-descent - std::sqrt(discriminant)) / square : least;
     volume = std::min({volume, least, level, room / v[from]->inverseArea});
-    // What hardly helps is not worth going on for.
-    if (!(volume * v[from]->inverseArea > Film))
+    if (!(volume * v[from]->inverseArea > LeastMove))
         return false;
     plan.dz[fixed] = 0;
     plan.dz[from] = -volume * v[from]->inverseArea;
