@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <memory>
 
 namespace cli {
 
@@ -49,6 +50,13 @@ struct NormaliseOption
 double rawBytes(const model::FrameSource &source);
 /// Bits per frame and vertex.
 double bitsPerFrameAndVertex(double bytes, const model::FrameSource &source);
+/// Has `run` run the options of the sub-command if it is the one that was called.
+template <class Options>
+void onCall(CLI::App &command, const std::shared_ptr<Options> &options, Run &run)
+{
+    command.callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+}
+
 /// Accepts numbers from `least` to `most`; CLI::Range lets "nan" through.
 CLI::Validator finiteRange(double least, double most);
 /// "12.3 kB"

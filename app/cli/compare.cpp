@@ -295,7 +295,7 @@ void addCompare(CLI::App &app, Run &run)
                     "  sandreel-cli compare frames/ walk.anim\n"
                     "  sandreel-cli compare frames/ walk.anim --metrics kg,sted --csv errors.csv\n"
                     "  sandreel-cli --json compare walk.pc2 decoded.pc2 --base-mesh walk.obj");
-    command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+    onCall(*command, options, run);
 }
 
 } // namespace cli

@@ -160,7 +160,7 @@ void addDecode(CLI::App &app, Run &run)
                     "  sandreel-cli decode walk.anim -o frames/ --format ply\n"
                     "  sandreel-cli decode walk.anim -o walk.pc2 --mesh walk.obj\n"
                     "  sandreel-cli decode walk.anim -o preview/ --bytes 20000");
-    command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+    onCall(*command, options, run);
 }
 
 } // namespace cli

@@ -175,7 +175,7 @@ void addEncode(CLI::App &app, Run &run)
                     "  sandreel-cli encode frames/ -o walk.anim --max-kg-error 0.5\n"
                     "  sandreel-cli encode frames/ -o walk.anim --codec direct --resolution 16384 --predictor N\n"
                     "  sandreel-cli encode robot.glb --animation 2 --fps 30 --normalize all -o robot.anim");
-    command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+    onCall(*command, options, run);
 }
 
 } // namespace cli

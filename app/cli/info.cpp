@@ -150,7 +150,7 @@ void addInfo(CLI::App &app, Run &run)
     command->footer("Examples:\n"
                     "  sandreel-cli info walk.anim\n"
                     "  sandreel-cli --json info frames/");
-    command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+    onCall(*command, options, run);
 }
 
 } // namespace cli

@@ -171,7 +171,7 @@ void addRender(CLI::App &app, Run &run)
     command->footer("Examples:\n"
                     "  sandreel-cli render walk.anim -o walk.png --frame 12 --size 1920x1080\n"
                     "  sandreel-cli render walk.anim -o pictures/walk_%04d.png");
-    command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+    onCall(*command, options, run);
 }
 
 } // namespace cli

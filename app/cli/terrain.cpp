@@ -246,12 +246,6 @@ model::Result<void> Volume::run(Console &console) const
     return {};
 }
 
-template <class Options>
-void onCall(CLI::App &command, const std::shared_ptr<Options> &options, Run &run)
-{
-    command.callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
-}
-
 } // namespace
 
 void addTerrainNew(CLI::App &app, Run &run)

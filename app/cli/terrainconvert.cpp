@@ -152,12 +152,6 @@ model::Result<void> Simplify::run(Console &console) const
                        QStringLiteral("of %1 vertices").arg(before));
 }
 
-template <class Options>
-void onCall(CLI::App &command, const std::shared_ptr<Options> &options, Run &run)
-{
-    command.callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
-}
-
 } // namespace
 
 void addTerrainImport(CLI::App &app, Run &run)

@@ -68,7 +68,7 @@ model::Result<void> RunScript::run(Console &console) const
                         {"stamps", double(report->stamps)},
                         {"transfers", double(report->transfers)},
                         {"scooped", report->scooped}},
-                       QStringLiteral("%1 strokes, %2 transfers").arg(report->strokes).arg(report->transfers));
+                       QStringLiteral("strokes: %1, transfers: %2").arg(report->strokes).arg(report->transfers));
 }
 
 } // namespace
@@ -84,7 +84,7 @@ void addTerrainRun(CLI::App &app, Run &run)
     command->footer("Examples:\n"
                     "  sandreel-cli terrain run track.json -o track.terrain\n"
                     "  sandreel-cli terrain run rake.json --input garden.terrain -o raked.terrain");
-    command->callback([options, &run] { run = [options](Console &console) { return options->run(console); }; });
+    onCall(*command, options, run);
 }
 
 } // namespace cli
