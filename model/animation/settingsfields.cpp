@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/animation/settingsfields.h"
 
+#include "model/base/numbertext.h"
+
 #include <array>
 #include <charconv>
 #include <system_error>
@@ -64,13 +66,6 @@ bool takeNumber(std::string_view text, Number &value)
     return value = read, true;
 }
 
-template <class Number>
-std::string textOfNumber(Number value)
-{
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
 /// Cuts the first word off.
 std::string_view takeWord(std::string_view &rest)
 {
@@ -112,12 +107,12 @@ std::optional<CodecId> codecOfKey(std::string_view key)
 
 std::string fieldText(std::uint32_t value)
 {
-    return textOfNumber(value);
+    return numberText(value);
 }
 
 std::string fieldText(double value)
 {
-    return textOfNumber(value);
+    return numberText(value);
 }
 
 std::string fieldText(Predictor value)

@@ -2,19 +2,11 @@
 #pragma once
 
 #include "model/base/bytes.h"
+#include "model/base/numbertext.h"
 
-#include <charconv>
 #include <string>
 
 namespace model::codec {
-
-/// A double as it stands in an error's args: shortest form, no locale.
-inline std::string numberText(double value)
-{
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return {text, end};
-}
 
 /// The writing side of a syntax: a function template over the stream that names each field once, so that writer and
 /// reader cannot drift apart. Each call returns false only on the reading side, after the first error.

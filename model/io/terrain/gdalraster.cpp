@@ -3,6 +3,7 @@
 #include "model/io/terrain/raster.h"
 
 #include "model/base/memory.h"
+#include "model/base/numbertext.h"
 #include "model/base/outofmemory.h"
 #include "model/io/failure.h"
 #include "model/io/filebuffer.h"
@@ -13,7 +14,6 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -319,13 +319,6 @@ Result<void> writeByGdal(const QString &path, const Raster &raster, RasterFormat
     return saveBytes(path, file.bytes());
 }
 
-void appendNumber(std::string &out, double value)
-{
-    char text[32];
-    const auto [end, error] = std::to_chars(text, text + sizeof text, value);
-    out.append(text, end);
-}
-
 /// Our own: GDAL rounds to a fixed number of digits.
 Result<void> writeAsciiGrid(const QString &path, const Raster &raster, const Progress &progress)
 {
@@ -400,7 +393,7 @@ Result<Raster> rasterOf(const terrain::Terrain &terrain, terrain::Point2 step, c
     constexpr double Slack = 1e-9;
     const double columns = std::floor(width / step.x + Slack) + 1, rows = std::floor(height / step.y + Slack) + 1;
     if (!(columns >= 2 && rows >= 2))
-        return fail(ErrorCode::BadSetting, "cell", std::to_string(step.x), "at most the terrain's width and height");
+        return fail(ErrorCode::BadSetting, "cell", numberText(step.x), "at most the terrain's width and height");
     if (columns > 1e6 || rows > 1e6)
         return fail(ErrorCode::LimitExceeded, "size of the grid",
                     std::to_string(std::uint64_t(std::max(columns, rows))), "1000000");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/terrain/terrainexport.h"
 
+#include "model/base/numbertext.h"
 #include "model/io/savefile.h"
 #include "model/io/terrain/contours.h"
 
@@ -9,7 +10,6 @@
 #include <QJsonObject>
 
 #include <bit>
-#include <charconv>
 #include <cmath>
 
 namespace model::io {
@@ -18,12 +18,6 @@ using namespace terrain;
 
 namespace {
 
-void appendNumber(std::string &out, double value)
-{
-    char text[32];
-    const auto [end, error] = std::to_chars(text, text + sizeof text, value);
-    out.append(text, end);
-}
 void appendInteger(std::string &out, std::uint64_t value)
 {
     out += std::to_string(value);

@@ -3,6 +3,7 @@
 // Difference Equations of Elliptic Type, 1954.
 #include "model/terrain/erosion/erosion.h"
 
+#include "model/base/numbertext.h"
 #include "model/terrain/erosion/coarsepass.h"
 #include "model/terrain/erosion/refine.h"
 
@@ -134,7 +135,7 @@ void Erosion::slide(TinEdit &edit, std::vector<Active> start, const Manner &mann
 Result<ErosionStatistics> Erosion::run(TinEdit &edit, double seconds, const ErosionBudget &budget)
 {
     if (!(seconds >= 0))
-        return fail(ErrorCode::BadSetting, "seconds", std::to_string(seconds), "at least 0");
+        return fail(ErrorCode::BadSetting, "seconds", numberText(seconds), "at least 0");
     if (const auto checked = checkLayers(edit.tin()); !checked)
         return fail(checked.error());
     const auto began = std::chrono::steady_clock::now();

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/material/material.h"
 
-#include <charconv>
+#include "model/base/numbertext.h"
 
 namespace model::terrain {
 
 namespace {
-
-std::string numberText(double value)
-{
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 9).ptr};
-}
 
 Result<void> checkRange(const char *name, double value, double low, double high)
 {

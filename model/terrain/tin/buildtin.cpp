@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/tin/tin.h"
 
+#include "model/base/numbertext.h"
 #include "model/terrain/tin/hilbert.h"
 #include "model/terrain/tin/tinwriter.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace model::terrain {
@@ -16,13 +16,6 @@ namespace {
 
 /// Ids are 31 bits, and there are two triangles, of four corners each, for a vertex.
 constexpr std::size_t LargestPointCount = (std::size_t(1) << 28) - 1;
-
-std::string numberText(double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    return text;
-}
 
 bool isUsable(Point2 p)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/tools/strokepath.h"
 
+#include "model/base/numbertext.h"
 #include "model/terrain/tin/predicates.h"
 
 #include <algorithm>
@@ -44,15 +45,14 @@ Result<std::vector<StampPose>> resample(std::span<const PathPoint> path, double 
     if (const Result<void> checked = checkPath(path); !checked)
         return fail(checked.error());
     if (!(spacing > 0) || !std::isfinite(spacing))
-        return fail(ErrorCode::BadSetting, "spacing", std::to_string(spacing), "above 0");
+        return fail(ErrorCode::BadSetting, "spacing", numberText(spacing), "above 0");
     std::vector<double> along{0};
     for (std::size_t i = 1; i < path.size(); ++i)
         along.push_back(along.back() + std::hypot(path[i].at.x - path[i - 1].at.x, path[i].at.y - path[i - 1].at.y));
     // A path as long as a multiple of the spacing ends with a stamp, whichever way its length was rounded.
     const double steps = std::floor(along.back() / spacing + 1e-6);
     if (!(steps < double(LargestStampCount)))
-        return fail(ErrorCode::LimitExceeded, "number of stamps", std::to_string(steps),
-                    std::to_string(LargestStampCount));
+        return fail(ErrorCode::LimitExceeded, "number of stamps", numberText(steps), std::to_string(LargestStampCount));
     const double quantum = std::exp2(std::floor(std::log2(spacing))) * Quantum;
     const auto rounded = [&](double value) {
         const double multiple = std::nearbyint(value / quantum);
