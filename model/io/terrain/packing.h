@@ -29,6 +29,14 @@ inline std::int32_t unzigzag(std::uint32_t value)
 {
     return std::int32_t(value >> 1) ^ -std::int32_t(value & 1);
 }
+inline std::uint64_t zigzag(std::int64_t value)
+{
+    return std::uint64_t(value) << 1 ^ std::uint64_t(value >> 63);
+}
+inline std::int64_t unzigzag(std::uint64_t value)
+{
+    return std::int64_t(value >> 1) ^ -std::int64_t(value & 1);
+}
 
 /// Numbers of a tile as multiples of a unit, nearly all of them exactly; the rest as the difference of their bits.
 /// Lossless for every finite double.

@@ -62,4 +62,25 @@ inline std::int64_t predictHeight(HeightPrediction kind, std::span<const std::in
     return kind == HeightPrediction::Mean ? predictMean(done, i, context) : predictOnPlane(x, y, done, i, context);
 }
 
+/// The multiples less what is predicted of each from those before it.
+template <class Predict>
+void writePredicted(ByteWriter &out, const FixedPoint &numbers, Predict predict)
+{
+    std::vector<std::uint32_t> residuals(numbers.multiples.size());
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+        residuals[i] = zigzag(std::int32_t(std::uint32_t(numbers.multiples[i]) - std::uint32_t(predict(i))));
+    writeWords(out, residuals);
+}
+template <class Predict>
+bool readPredicted(ByteReader &in, std::size_t count, FixedPoint &numbers, Predict predict)
+{
+    std::vector<std::uint32_t> residuals;
+    if (!readWords(in, count, residuals))
+        return false;
+    numbers.multiples.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        numbers.multiples[i] = std::int32_t(std::uint32_t(unzigzag(residuals[i])) + std::uint32_t(predict(i)));
+    return true;
+}
+
 } // namespace model::io
