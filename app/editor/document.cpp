@@ -109,7 +109,7 @@ void Document::take(AnimationPtr animation)
     mFacts = views::factsOf(*animation);
     const model::CompressionSettings settings = animation->settings();
     mDocument = std::make_unique<model::AnimationDocument>(std::move(animation), settings);
-    mContext = std::make_unique<commands::EditContext>(*mDocument);
+    mContext = std::make_unique<commands::AnimationContext>(*mDocument);
     connect(mDocument.get(), &model::AnimationDocument::changed, this, &Document::contentChanged);
     mSavedContent = Content::of(*mDocument);
     mPlayer.setSource(mDocument->frames());

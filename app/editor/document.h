@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/filestamp.h"
-#include "commands/base/editcontext.h"
+#include "commands/animation/animationcontext.h"
 #include "model/document/animationdocument.h"
 #include "views/docks/filefacts.h"
 #include "views/jobs/job.h"
@@ -59,7 +59,7 @@ public:
     bool isChangedOnDisk() const { return !mPath.isEmpty() && FileStamp::of(mPath) != mStamp; }
 
     /// Null until it is open; another one after a reload.
-    commands::EditContext *context() const { return mContext.get(); }
+    commands::AnimationContext *context() const { return mContext.get(); }
     views::Player &player() { return mPlayer; }
     /// What it lost of its original; not saved.
     views::Comparison &comparison() { return mComparison; }
@@ -100,7 +100,7 @@ private:
     FileStamp mStamp;
     std::optional<views::FileFacts> mFacts;
     std::unique_ptr<model::AnimationDocument> mDocument;
-    std::unique_ptr<commands::EditContext> mContext;
+    std::unique_ptr<commands::AnimationContext> mContext;
     std::optional<Content> mSavedContent;
     bool mWasModified = false;
     views::Player mPlayer;

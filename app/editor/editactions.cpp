@@ -42,7 +42,7 @@ EditActions::EditActions(Actions &actions, Workspace &workspace, QWidget &window
 
 void EditActions::follow()
 {
-    commands::EditContext *context_ = context();
+    commands::AnimationContext *context_ = context();
     if (mFollowed && mFollowed != context_) {
         disconnect(&mFollowed->undoStack(), nullptr, this, nullptr);
         disconnect(&mFollowed->document(), nullptr, this, nullptr);
@@ -57,7 +57,7 @@ void EditActions::follow()
 
 void EditActions::update()
 {
-    const commands::EditContext *context_ = context();
+    const commands::AnimationContext *context_ = context();
     const QUndoStack *stack = context_ ? &context_->undoStack() : nullptr;
     mActions[ActionId::Undo].setEnabled(stack && stack->canUndo());
     mActions[ActionId::Redo].setEnabled(stack && stack->canRedo());
@@ -81,7 +81,7 @@ Document *EditActions::document() const
     return tab && tab->document().isOpen() ? &tab->document() : nullptr;
 }
 
-commands::EditContext *EditActions::context() const
+commands::AnimationContext *EditActions::context() const
 {
     Document *open = document();
     return open ? open->context() : nullptr;

@@ -7,7 +7,7 @@
 #include <QPointer>
 
 namespace commands {
-class EditContext;
+class AnimationContext;
 }
 
 namespace views {
@@ -33,12 +33,12 @@ private:
     static void ask(views::EditDialog *dialog);
     /// Null without an open document.
     Document *document() const;
-    commands::EditContext *context() const;
+    commands::AnimationContext *context() const;
 
     Actions &mActions;
     Workspace &mWorkspace;
     QWidget &mWindow;
-    QPointer<commands::EditContext> mFollowed;
+    QPointer<commands::AnimationContext> mFollowed;
 };
 
 } // namespace editor

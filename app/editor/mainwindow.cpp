@@ -134,7 +134,7 @@ void MainWindow::makeDocks()
 void MainWindow::followDocument()
 {
     DocumentTab *tab = mWorkspace->current();
-    commands::EditContext *context = tab ? tab->document().context() : nullptr;
+    commands::AnimationContext *context = tab ? tab->document().context() : nullptr;
     mHistory->setContext(context);
     mCompression->setDocument(context, tab ? tab->document().fileFacts() : std::nullopt);
     mTimeline->setPlayer(context ? &tab->document().player() : nullptr);

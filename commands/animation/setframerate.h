@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/base/changevalue.h"
+#include "commands/animation/changes.h"
 
 namespace commands {
 

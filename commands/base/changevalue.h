@@ -2,8 +2,6 @@
 #pragma once
 
 #include "commands/base/mergeid.h"
-#include "model/document/animationdocument.h"
-
 #include <QUndoCommand>
 
 #include <type_traits>
@@ -16,12 +14,12 @@ namespace commands {
 ///
 /// Made for the document as it is at that moment, and to be pushed at once. Obsolete from the start if it would change
 /// nothing (EditContext drops it), and once a gesture has come back to where it began (the undo stack drops it).
-/// \tparam Getter, Setter  members of AnimationDocument; the setter returns the value that it replaced
-template <auto Getter, auto Setter>
+/// \tparam Getter, Setter  members of Document; the setter returns the value that it replaced
+template <class Document, auto Getter, auto Setter>
 class ChangeValue : public QUndoCommand
 {
 public:
-    using Value = std::remove_cvref_t<std::invoke_result_t<decltype(Getter), const model::AnimationDocument &>>;
+    using Value = std::remove_cvref_t<std::invoke_result_t<decltype(Getter), const Document &>>;
 
     void redo() final { swap(); }
     void undo() final { swap(); }
@@ -38,11 +36,10 @@ public:
     }
 
 protected:
-    ChangeValue(model::AnimationDocument &document, const QString &text, Value wanted)
+    ChangeValue(Document &document, const QString &text, Value wanted)
         : ChangeValue(document, text, std::move(wanted), MergeId(), NoGesture)
     {}
-    ChangeValue(model::AnimationDocument &document, const QString &text, Value wanted, MergeId mergeId,
-                GestureId gesture)
+    ChangeValue(Document &document, const QString &text, Value wanted, MergeId mergeId, GestureId gesture)
         : QUndoCommand(text)
         , mDocument(document)
         , mOther(std::move(wanted))
@@ -55,16 +52,10 @@ protected:
 private:
     void swap() { mOther = (mDocument.*Setter)(std::move(mOther)); }
 
-    model::AnimationDocument &mDocument;
+    Document &mDocument;
     Value mOther; ///< the value that the document does not hold now
     const MergeId mMergeId;
     const GestureId mGesture;
 };
-
-using ChangeTiming = ChangeValue<&model::AnimationDocument::timing, &model::AnimationDocument::setTiming>;
-using ChangePlacement = ChangeValue<&model::AnimationDocument::placement, &model::AnimationDocument::setPlacement>;
-using ChangeName = ChangeValue<&model::AnimationDocument::name, &model::AnimationDocument::setName>;
-using ChangeCompression =
-    ChangeValue<&model::AnimationDocument::compression, &model::AnimationDocument::setCompression>;
 
 } // namespace commands

@@ -3,10 +3,11 @@
 
 namespace commands {
 
-EditContext::EditContext(model::AnimationDocument &document, QObject *parent)
-    : QObject(parent)
-    , mDocument(document)
-{}
+EditContext::~EditContext()
+{
+    // The stack empties itself and would tell so those who then read a document through half a context.
+    mUndoStack.blockSignals(true);
+}
 
 void EditContext::pushCommand(std::unique_ptr<QUndoCommand> command)
 {

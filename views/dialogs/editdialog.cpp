@@ -10,7 +10,8 @@
 
 namespace views {
 
-EditDialog::EditDialog(commands::EditContext &context, const QString &title, const QString &action, QWidget *parent)
+EditDialog::EditDialog(commands::AnimationContext &context, const QString &title, const QString &action,
+                       QWidget *parent)
     : QDialog(parent)
     , mContext(context)
     , mColumn(new QVBoxLayout(this))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/base/editcontext.h"
+#include "commands/animation/animationcontext.h"
 
 #include <QDialog>
 
@@ -25,9 +25,9 @@ public:
 
 protected:
     /// \param action  the text of the button: "Trim"
-    EditDialog(commands::EditContext &context, const QString &title, const QString &action, QWidget *parent);
+    EditDialog(commands::AnimationContext &context, const QString &title, const QString &action, QWidget *parent);
 
-    commands::EditContext &context() { return mContext; }
+    commands::AnimationContext &context() { return mContext; }
     const model::AnimationDocument &document() const { return mContext.document(); }
     QFormLayout &form() { return *mForm; }
     /// Between the form and the buttons.
@@ -46,7 +46,7 @@ protected:
     virtual bool apply() = 0;
 
 private:
-    commands::EditContext &mContext;
+    commands::AnimationContext &mContext;
     QVBoxLayout *mColumn;
     QFormLayout *mForm;
     HintLabel *mHint;

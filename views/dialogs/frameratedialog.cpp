@@ -10,7 +10,7 @@
 
 namespace views {
 
-FrameRateDialog::FrameRateDialog(commands::EditContext &editContext, QWidget *parent)
+FrameRateDialog::FrameRateDialog(commands::AnimationContext &editContext, QWidget *parent)
     : EditDialog(editContext, tr("Frame Rate"), tr("&Set Frame Rate"), parent)
     , mRate(new NumberField(tr("Frame rate"), FrameRates, this))
 {

@@ -13,7 +13,7 @@ class FrameRateDialog final : public EditDialog
     Q_OBJECT
 
 public:
-    explicit FrameRateDialog(commands::EditContext &context, QWidget *parent = nullptr);
+    explicit FrameRateDialog(commands::AnimationContext &context, QWidget *parent = nullptr);
 
 protected:
     QString problem() const override;

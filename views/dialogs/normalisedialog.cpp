@@ -13,7 +13,7 @@ namespace views {
 
 using model::Normalisation;
 
-NormaliseDialog::NormaliseDialog(commands::EditContext &editContext, QWidget *parent)
+NormaliseDialog::NormaliseDialog(commands::AnimationContext &editContext, QWidget *parent)
     : EditDialog(editContext, tr("Normalise Animation"), tr("&Normalise"), parent)
     , mMode(new NormalisationChoice(this))
 {

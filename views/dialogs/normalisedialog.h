@@ -19,7 +19,7 @@ class NormaliseDialog final : public EditDialog
     Q_OBJECT
 
 public:
-    explicit NormaliseDialog(commands::EditContext &context, QWidget *parent = nullptr);
+    explicit NormaliseDialog(commands::AnimationContext &context, QWidget *parent = nullptr);
 
     void reject() override;
 

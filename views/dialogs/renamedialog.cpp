@@ -8,7 +8,7 @@
 
 namespace views {
 
-RenameDialog::RenameDialog(commands::EditContext &editContext, QWidget *parent)
+RenameDialog::RenameDialog(commands::AnimationContext &editContext, QWidget *parent)
     : EditDialog(editContext, tr("Rename Animation"), tr("&Rename"), parent)
     , mName(new QLineEdit(QString::fromStdString(document().name()), this))
 {

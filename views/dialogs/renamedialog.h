@@ -13,7 +13,7 @@ class RenameDialog final : public EditDialog
     Q_OBJECT
 
 public:
-    explicit RenameDialog(commands::EditContext &context, QWidget *parent = nullptr);
+    explicit RenameDialog(commands::AnimationContext &context, QWidget *parent = nullptr);
 
 protected:
     QString problem() const override { return {}; }

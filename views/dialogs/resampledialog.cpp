@@ -12,7 +12,7 @@ namespace views {
 
 using model::TimeMap;
 
-ResampleDialog::ResampleDialog(commands::EditContext &editContext, QWidget *parent)
+ResampleDialog::ResampleDialog(commands::AnimationContext &editContext, QWidget *parent)
     : EditDialog(editContext, tr("Resample Animation"), tr("&Resample"), parent)
     , mRate(new NumberField(tr("New frame rate"), FrameRates, this))
 {

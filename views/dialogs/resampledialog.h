@@ -13,7 +13,7 @@ class ResampleDialog final : public EditDialog
     Q_OBJECT
 
 public:
-    explicit ResampleDialog(commands::EditContext &context, QWidget *parent = nullptr);
+    explicit ResampleDialog(commands::AnimationContext &context, QWidget *parent = nullptr);
 
 protected:
     QString problem() const override;

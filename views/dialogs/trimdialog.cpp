@@ -9,7 +9,8 @@
 
 namespace views {
 
-TrimDialog::TrimDialog(commands::EditContext &editContext, std::uint32_t first, std::uint32_t last, QWidget *parent)
+TrimDialog::TrimDialog(commands::AnimationContext &editContext, std::uint32_t first, std::uint32_t last,
+                       QWidget *parent)
     : EditDialog(editContext, tr("Trim Animation"), tr("&Trim"), parent)
 {
     const NumberRange frames{1, double(document().frameCount()), 0};

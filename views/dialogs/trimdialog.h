@@ -14,7 +14,7 @@ class TrimDialog final : public EditDialog
 
 public:
     /// \param first, last  proposed, 0-based: the loop range
-    TrimDialog(commands::EditContext &context, std::uint32_t first, std::uint32_t last, QWidget *parent = nullptr);
+    TrimDialog(commands::AnimationContext &context, std::uint32_t first, std::uint32_t last, QWidget *parent = nullptr);
 
 protected:
     QString problem() const override;

@@ -41,7 +41,7 @@ CompressionDock::CompressionDock(QWidget *parent)
 
 CompressionDock::~CompressionDock() = default;
 
-void CompressionDock::setDocument(commands::EditContext *context, const std::optional<FileFacts> &facts)
+void CompressionDock::setDocument(commands::AnimationContext *context, const std::optional<FileFacts> &facts)
 {
     mFacts = facts;
     if (mContext != context) {

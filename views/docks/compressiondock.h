@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/base/editcontext.h"
+#include "commands/animation/animationcontext.h"
 #include "model/animation/metrics.h"
 #include "views/docks/filefacts.h"
 #include "views/jobs/job.h"
@@ -34,7 +34,7 @@ public:
 
     /// \param context  null: no document; let go of by itself when it is destroyed
     /// \param facts    of the document's file, if it has one
-    void setDocument(commands::EditContext *context, const std::optional<FileFacts> &facts);
+    void setDocument(commands::AnimationContext *context, const std::optional<FileFacts> &facts);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -62,7 +62,7 @@ private:
     void showMeasurement();
     void measure();
 
-    QPointer<commands::EditContext> mContext;
+    QPointer<commands::AnimationContext> mContext;
     std::optional<FileFacts> mFacts;
     std::optional<Measurement> mMeasurement;
     commands::GestureId mGesture = commands::NoGesture;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/animation/animationcontext.h"
 #include "commands/animation/normaliseanimation.h"
 #include "commands/animation/renameanimation.h"
 #include "commands/animation/resampleanimation.h"
@@ -6,7 +7,6 @@
 #include "commands/animation/setcompression.h"
 #include "commands/animation/setframerate.h"
 #include "commands/animation/trimanimation.h"
-#include "commands/base/editcontext.h"
 #include "tests/support/meshes.h"
 #include "tests/support/testmain.h"
 #include "tests/support/undocheck.h"
@@ -110,7 +110,7 @@ private slots:
     {
         QFETCH(int, index);
         const auto fresh = document();
-        EditContext context(*fresh);
+        AnimationContext context(*fresh);
         context.push<RenameAnimation>("to be redone");
         context.undoStack().undo();
         int notices = 0;
@@ -130,7 +130,7 @@ private slots:
     void oneFrameCannotBeReversed()
     {
         AnimationDocument single(tests::oneFrame(tests::cube()));
-        EditContext context(single);
+        AnimationContext context(single);
         context.push<ReverseAnimation>();
         context.push<ResampleAnimation>(25.0);
         QCOMPARE(context.undoStack().count(), 0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/animation/animationcontext.h"
 #include "commands/animation/normaliseanimation.h"
 #include "commands/animation/reverseanimation.h"
 #include "commands/animation/trimanimation.h"
-#include "commands/base/editcontext.h"
 #include "model/animation/normalisation.h"
 #include "tests/support/meshes.h"
 #include "tests/support/testmain.h"
@@ -17,7 +17,7 @@ class TestNormaliseAnimation final : public QObject
 {
     Q_OBJECT
 
-    static void normalise(EditContext &context, Normalisation mode)
+    static void normalise(AnimationContext &context, Normalisation mode)
     {
         context.push<NormaliseAnimation>(*model::normalisingPlacement(*context.document().frames(), mode));
     }
@@ -26,7 +26,7 @@ private slots:
     void fillsTheCube()
     {
         AnimationDocument document(tests::noise(tests::twoParts(), 9));
-        EditContext context(document);
+        AnimationContext context(document);
         normalise(context, Normalisation::AllFrames);
         const model::Box3f box = *model::boundingBoxOfAll(*document.frames());
         QVERIFY(length(box.center()) < 1e-6f && std::abs(box.longestSide() - 2) < 1e-6f);
@@ -36,7 +36,7 @@ private slots:
     void againChangesNothing()
     {
         AnimationDocument document(tests::noise(tests::twoParts(), 9));
-        EditContext context(document);
+        AnimationContext context(document);
         for (int i = 0; i < 3; ++i)
             normalise(context, Normalisation::AllFrames);
         QCOMPARE(context.undoStack().count(), 1);
@@ -45,7 +45,7 @@ private slots:
     void modesDoNotDependOnTheOneBefore()
     {
         AnimationDocument document(tests::noise(tests::twoParts(), 9));
-        EditContext context(document);
+        AnimationContext context(document);
         normalise(context, Normalisation::FirstFrame);
         const model::Similarity byFirst = document.placement();
         normalise(context, Normalisation::AllFrames);
@@ -58,7 +58,7 @@ private slots:
     {
         const auto source = tests::noise(tests::twoParts(), 9);
         AnimationDocument document(source);
-        EditContext context(document);
+        AnimationContext context(document);
         normalise(context, Normalisation::None);
         QCOMPARE(context.undoStack().count(), 0);
         normalise(context, Normalisation::FirstFrame);
@@ -72,7 +72,7 @@ private slots:
     {
         const auto source = tests::noise(tests::twoParts(), 9);
         AnimationDocument document(source);
-        EditContext context(document);
+        AnimationContext context(document);
         context.push<ReverseAnimation>();
         context.push<TrimAnimation>(2u, 5u);
         normalise(context, Normalisation::FirstFrame);

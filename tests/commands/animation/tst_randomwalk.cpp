@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/animation/animationcontext.h"
 #include "commands/animation/normaliseanimation.h"
 #include "commands/animation/renameanimation.h"
 #include "commands/animation/resampleanimation.h"
@@ -6,7 +7,6 @@
 #include "commands/animation/setcompression.h"
 #include "commands/animation/setframerate.h"
 #include "commands/animation/trimanimation.h"
-#include "commands/base/editcontext.h"
 #include "tests/support/meshes.h"
 #include "tests/support/testmain.h"
 #include "tests/support/undocheck.h"
@@ -103,7 +103,7 @@ private slots:
         const auto below = [&random](std::uint32_t limit) { return std::uint32_t(random() % limit); };
         const auto source = tests::noise(tests::tetrahedron(), 40, seed);
         AnimationDocument document(source);
-        EditContext context(document);
+        AnimationContext context(document);
         QUndoStack &stack = context.undoStack();
 
         Simulation start;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/animation/animationcontext.h"
 #include "commands/animation/setcompression.h"
 #include "commands/animation/setframerate.h"
-#include "commands/base/editcontext.h"
 #include "tests/support/meshes.h"
 #include "tests/support/testmain.h"
 
@@ -15,7 +15,7 @@ class TestSetCompression final : public QObject
     Q_OBJECT
 
     AnimationDocument mDocument{tests::wave(tests::cube())};
-    std::unique_ptr<EditContext> mContext;
+    std::unique_ptr<AnimationContext> mContext;
 
     static CompressionSettings withBasis(std::uint32_t size) { return {model::PcaSettings{size, 10000}}; }
     QUndoStack &stack() { return mContext->undoStack(); }
@@ -25,7 +25,7 @@ private slots:
     void init()
     {
         mDocument.setCompression(withBasis(20));
-        mContext = std::make_unique<EditContext>(mDocument);
+        mContext = std::make_unique<AnimationContext>(mDocument);
     }
 
     void oneDragIsOneStep()

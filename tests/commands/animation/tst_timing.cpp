@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/animation/animationcontext.h"
 #include "commands/animation/resampleanimation.h"
 #include "commands/animation/reverseanimation.h"
 #include "commands/animation/setframerate.h"
 #include "commands/animation/trimanimation.h"
-#include "commands/base/editcontext.h"
 #include "tests/support/meshes.h"
 #include "tests/support/testmain.h"
 #include "tests/support/undocheck.h"
@@ -28,7 +28,7 @@ private slots:
     void trimKeepsFirstToLast()
     {
         AnimationDocument document(mSource);
-        EditContext context(document);
+        AnimationContext context(document);
         context.push<TrimAnimation>(2u, 7u);
         QVERIFY(tests::allFramesOf(*document.frames()) == Frames(mOriginal.begin() + 2, mOriginal.begin() + 8));
         context.push<TrimAnimation>(1u, 3u); // counted in what is left
@@ -41,7 +41,7 @@ private slots:
     void reverseTurnsRound()
     {
         AnimationDocument document(mSource);
-        EditContext context(document);
+        AnimationContext context(document);
         context.push<ReverseAnimation>();
         QVERIFY(tests::allFramesOf(*document.frames()) == Frames(mOriginal.rbegin(), mOriginal.rend()));
         context.push<ReverseAnimation>();
@@ -52,7 +52,7 @@ private slots:
     void resampleKeepsSpeedAndFramesThatStay()
     {
         AnimationDocument document(mSource);
-        EditContext context(document);
+        AnimationContext context(document);
         context.push<ResampleAnimation>(75.0);
         QCOMPARE(document.frameCount(), 28u);
         QCOMPARE(document.frames()->frameRate(), 75.0);
@@ -68,7 +68,7 @@ private slots:
     void setFrameRateKeepsFrames()
     {
         AnimationDocument document(mSource);
-        EditContext context(document);
+        AnimationContext context(document);
         context.push<SetFrameRate>(60.0);
         QCOMPARE(document.frames()->frameRate(), 60.0);
         QVERIFY(document.frames()->keepsFrames());
@@ -81,7 +81,7 @@ private slots:
     void rateGesturesMerge()
     {
         AnimationDocument document(mSource);
-        EditContext context(document);
+        AnimationContext context(document);
         const GestureId gesture = context.newGesture();
         for (const double rate : {26.0, 27.0, 40.0})
             context.push<SetFrameRate>(rate, gesture);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/animation/animationcontext.h"
 #include "commands/animation/renameanimation.h"
-#include "commands/base/editcontext.h"
 #include "tests/support/meshes.h"
 #include "tests/support/testmain.h"
 
@@ -16,7 +16,7 @@ private slots:
     void pushCarriesOutOnce()
     {
         model::AnimationDocument document(tests::wave(tests::cube()));
-        EditContext context(document);
+        AnimationContext context(document);
         QVERIFY(&context.document() == &document);
         int notices = 0;
         connect(&document, &model::AnimationDocument::changed, this, [&] { ++notices; });
@@ -30,7 +30,7 @@ private slots:
     void everyGestureHasItsNumber()
     {
         model::AnimationDocument document(tests::wave(tests::cube()));
-        EditContext context(document);
+        AnimationContext context(document);
         std::set<GestureId> gestures{NoGesture};
         for (int i = 0; i < 100; ++i)
             gestures.insert(context.newGesture());

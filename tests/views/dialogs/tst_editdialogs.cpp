@@ -21,7 +21,7 @@ class TestEditDialogs final : public QObject
     Q_OBJECT
 
     std::unique_ptr<model::AnimationDocument> mDocument;
-    std::unique_ptr<commands::EditContext> mContext;
+    std::unique_ptr<commands::AnimationContext> mContext;
     std::uint64_t mBefore = 0;
 
     static bool mayAccept(const QDialog &dialog) { return tests::find<QPushButton>(dialog, "accept")->isEnabled(); }
@@ -38,7 +38,7 @@ private slots:
     {
         QLocale::setDefault(QLocale("en_US"));
         mDocument = std::make_unique<model::AnimationDocument>(tests::wave(tests::cube(), 50)); // 25 frames/s
-        mContext = std::make_unique<commands::EditContext>(*mDocument);
+        mContext = std::make_unique<commands::AnimationContext>(*mDocument);
         mBefore = mDocument->fingerprint();
     }
     void cleanup()
@@ -131,7 +131,7 @@ private slots:
     {
         mContext.reset();
         mDocument = std::make_unique<model::AnimationDocument>(tests::wave(tests::grid(), 10)); // of side 1
-        mContext = std::make_unique<commands::EditContext>(*mDocument);
+        mContext = std::make_unique<commands::AnimationContext>(*mDocument);
         mBefore = mDocument->fingerprint();
         views::NormaliseDialog normalise(*mContext);
         tests::open(normalise);

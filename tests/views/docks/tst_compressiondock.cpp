@@ -21,7 +21,7 @@ class TestCompressionDock final : public QObject
     Q_OBJECT
 
     std::unique_ptr<model::AnimationDocument> mDocument;
-    std::unique_ptr<commands::EditContext> mContext;
+    std::unique_ptr<commands::AnimationContext> mContext;
     std::unique_ptr<QMainWindow> mWindow;
     CompressionDock *mDock = nullptr;
 
@@ -56,7 +56,7 @@ private slots:
         QLocale::setDefault(QLocale("en_US"));
         mDocument = std::make_unique<model::AnimationDocument>(tests::wave(tests::grid(6, 4)),
                                                                model::CompressionSettings{model::PcaSettings()});
-        mContext = std::make_unique<commands::EditContext>(*mDocument);
+        mContext = std::make_unique<commands::AnimationContext>(*mDocument);
         mWindow = std::make_unique<QMainWindow>();
         mDock = new CompressionDock;
         mWindow->addDockWidget(Qt::RightDockWidgetArea, mDock);
@@ -124,7 +124,7 @@ private slots:
     {
         model::CompressionSettings settings{model::PcaSettings{.basisSize = 3}};
         model::AnimationDocument other(tests::wave(tests::oneTriangle()), settings);
-        commands::EditContext context(other);
+        commands::AnimationContext context(other);
         mDock->setDocument(&context, std::nullopt);
         QCOMPARE(basisField()->text(), QString("3"));
         type("5");
