@@ -131,7 +131,7 @@ Result<Tridiagonal> tridiagonalised(MatrixXd &a, const Progress &progress)
         progress.report(1 - left * left * left);
     }
     if (size > 0)
-        t.diagonal[size - 1] = a(size - 1, size - 1) - (size > 1 ? 2 * v[0] * w[0] : 0);
+        t.diagonal[size - 1] = a(size - 1, size - 1); // the last reflection is of one entry: none
     return t;
 }
 

@@ -108,6 +108,20 @@ private slots:
         QVERIFY(clustersOf(alike, componentsOfFifty(3), 30, 0.1) == (Clusters{1, {0, 0, 0}}));
     }
 
+    void familiesThatOverlapStayApart()
+    {
+        // They share one trajectory, and a family joins its own members first: what it then costs to take in the other
+        // family depends on how many vertices it has by now.
+        for (const auto &[own, others, size] : {std::tuple{2, 3, 1.0}, std::tuple{4, 3, 1.0}, std::tuple{1, 3, 1.5}}) {
+            std::vector<std::vector<int>> bases(std::size_t(own), {0, 1, 2});
+            bases.insert(bases.end(), std::size_t(others), {2, 3});
+            std::vector<std::uint32_t> expected(std::size_t(own), 0);
+            expected.insert(expected.end(), std::size_t(others), 1);
+            QVERIFY(clustersOf(moving(bases, size), componentsOfFifty(bases.size()), 80, 0.1) ==
+                    (Clusters{2, expected}));
+        }
+    }
+
     void clustersAreNumberedAsTheyCome()
     {
         // What moves most is not the first component.
