@@ -5,13 +5,9 @@
 #include "views/viewport/glsupport.h"
 
 #include <QFocusEvent>
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QNativeGestureEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLVersionFunctionsFactory>
-#include <QWheelEvent>
 #include <QtConcurrentRun>
 
 #include <algorithm>
@@ -23,18 +19,13 @@ namespace views {
 namespace {
 
 constexpr int HardwareSamples = 4;
-/// Zoom by one notch of a wheel or one press of a key; three notches halve the distance.
-constexpr float ZoomStep = 0.79f;
-constexpr float NotchDegrees = 15;
-/// Turn of an arrow key, as a share of the picture's height: 15 degrees.
-constexpr float KeyTurn = 15.0f / 180;
-constexpr float KeyPan = 0.05f;
 
 } // namespace
 
 AnimationViewport::AnimationViewport(Player &player, QWidget *parent)
     : QOpenGLWidget(parent)
     , mPlayer(player)
+    , mControl(*this)
 {
     QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
     wanted.setSamples(glSupport().isSoftware ? 0 : HardwareSamples);
@@ -44,6 +35,11 @@ AnimationViewport::AnimationViewport(Player &player, QWidget *parent)
     setAccessibleDescription(tr("The mesh in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it."));
     applyPalette();
     mClock.start();
+    connect(&mControl, &CameraControl::moved, this, [this] {
+        update();
+        emit cameraChanged();
+    });
+    connect(&mControl, &CameraControl::fitAsked, this, &AnimationViewport::fitView);
     connect(&mPlayer, &Player::frameReady, this, [this] { update(); });
     connect(&mPlayer, &Player::sourceChanged, this, &AnimationViewport::sourceChanged);
     connect(this, &QOpenGLWidget::frameSwapped, this, &AnimationViewport::frameSwapped);
@@ -91,35 +87,9 @@ void AnimationViewport::setGridVisible(bool visible)
     update();
 }
 
-void AnimationViewport::setCamera(const model::OrbitCamera &camera)
-{
-    mCamera = camera;
-    cameraMoved();
-}
-
 void AnimationViewport::fitView()
 {
-    mCamera.fit(sceneBox(), aspect());
-    cameraMoved();
-    mCameraIsOurs = true;
-}
-
-void AnimationViewport::zoom(float factor)
-{
-    mCamera.zoom(factor);
-    cameraMoved();
-}
-
-void AnimationViewport::cameraMoved()
-{
-    mCameraIsOurs = false;
-    update();
-    emit cameraChanged();
-}
-
-float AnimationViewport::aspect() const
-{
-    return float(std::max(width(), 1)) / float(std::max(height(), 1));
+    mControl.fit(sceneBox());
 }
 
 model::Box3f AnimationViewport::sceneBox() const
@@ -151,16 +121,17 @@ void AnimationViewport::boundsFound()
         return;
     const model::Box3f found = mBoundsWatcher.result();
     const std::optional<model::Box3f> before = std::exchange(mBounds, found);
-    if (mCameraIsOurs) {
+    if (!mControl.isMoved()) {
         fitView();
     } else if (before && !before->isEmpty() && before->diagonal() > 0 && found.diagonal() > 0) {
         // An edit such as normalising moves and scales everything: the camera goes along. Small changes leave it.
         const float scale = found.diagonal() / before->diagonal();
         const float shift = model::length(found.center() - before->center()) / before->diagonal();
         if (scale < 0.67f || scale > 1.5f || shift > 0.25f) {
-            mCamera.target = found.center() + (mCamera.target - before->center()) * scale;
-            mCamera.distance *= scale;
-            cameraMoved();
+            model::OrbitCamera moved = camera();
+            moved.target = found.center() + (moved.target - before->center()) * scale;
+            moved.distance *= scale;
+            setCamera(moved);
         }
     }
     update();
@@ -221,10 +192,8 @@ void AnimationViewport::uploadCurrentFrame()
     if (!mUploaded || mUploaded->frame != frame->frame)
         mShownAt.push_back(mClock.elapsed());
     mUploaded = frame;
-    if (mCameraIsOurs && !mBounds) { // until the box over all frames is known
-        mCamera.fit(sceneBox(), aspect());
-        emit cameraChanged();
-    }
+    if (!mControl.isMoved() && !mBounds) // until the box over all frames is known
+        fitView();
 }
 
 void AnimationViewport::paintGL()
@@ -239,7 +208,7 @@ void AnimationViewport::paintGL()
     const qint64 start = mClock.nsecsElapsed();
     mStyle.pixelRatio = float(devicePixelRatioF());
     mStyle.errorRange = errorRange();
-    mRenderer->draw(mCamera, pixelSize(), sceneBox(), mStyle);
+    mRenderer->draw(camera(), pixelSize(), sceneBox(), mStyle);
     mStatistics.drawMilliseconds = double(mClock.nsecsElapsed() - start) * 1e-6;
     drawOverlay();
 }
@@ -254,7 +223,7 @@ void AnimationViewport::drawOverlay()
         return;
     }
     if (mUploaded) {
-        drawAxes(painter, rect(), mCamera, mStyle.isDark);
+        drawAxes(painter, rect(), camera(), mStyle.isDark);
         if (mStatisticsVisible)
             drawStatistics(painter, mStatistics, mStyle.isDark);
         drawErrorScale(painter, rect(), mStyle.isDark);
@@ -291,7 +260,7 @@ QImage AnimationViewport::renderPicture(const FrameData &frame, QSize size)
             style.pixelRatio = std::max(1.0f, float(size.height()) / float(std::max(height(), 1)));
             mRenderer->upload(frame, source);
             mUploaded.reset();
-            mRenderer->draw(mCamera, size, sceneBox(), style);
+            mRenderer->draw(camera(), size, sceneBox(), style);
             target.release();
             picture = target.toImage().convertToFormat(QImage::Format_RGB32);
         }
@@ -303,10 +272,8 @@ QImage AnimationViewport::renderPicture(const FrameData &frame, QSize size)
 void AnimationViewport::resizeEvent(QResizeEvent *event)
 {
     QOpenGLWidget::resizeEvent(event);
-    if (mCameraIsOurs && !size().isEmpty()) {
-        mCamera.fit(sceneBox(), aspect());
-        emit cameraChanged();
-    }
+    if (!mControl.isMoved() && !size().isEmpty())
+        fitView();
 }
 
 void AnimationViewport::applyPalette()
@@ -324,128 +291,9 @@ void AnimationViewport::changeEvent(QEvent *event)
 
 bool AnimationViewport::event(QEvent *event)
 {
-    switch (event->type()) {
-    case QEvent::NativeGesture: {
-        const auto &gesture = *static_cast<QNativeGestureEvent *>(event);
-        if (gesture.gestureType() != Qt::ZoomNativeGesture)
-            break;
-        zoomAt(float(1 / std::max(0.1, 1 + gesture.value())), gesture.position());
-        return true;
-    }
-    case QEvent::ShortcutOverride: // the arrows turn the mesh here, though elsewhere they step through frames
-        switch (static_cast<QKeyEvent *>(event)->key()) {
-        case Qt::Key_Left:
-        case Qt::Key_Right:
-        case Qt::Key_Up:
-        case Qt::Key_Down:
-            event->accept();
-            return true;
-        default:
-            break;
-        }
-        break;
-    default:
-        break;
-    }
-    return QOpenGLWidget::event(event);
-}
-
-void AnimationViewport::mousePressEvent(QMouseEvent *event)
-{
-    if (mDrag != Drag::None)
-        return; // a second button during a drag changes nothing
-    switch (event->button()) {
-    case Qt::LeftButton:
-        mDrag = event->modifiers() & Qt::ShiftModifier ? Drag::Pan : Drag::Orbit;
-        break;
-    case Qt::MiddleButton:
-        mDrag = Drag::Pan;
-        break;
-    case Qt::RightButton:
-        mDrag = Drag::Zoom;
-        break;
-    default:
-        return;
-    }
-    mDragPlace = event->position();
-    if (std::exchange(mShowsFocus, false))
+    if (event->type() == QEvent::MouseButtonPress && std::exchange(mShowsFocus, false))
         update();
-}
-
-void AnimationViewport::mouseMoveEvent(QMouseEvent *event)
-{
-    if (mDrag == Drag::None)
-        return;
-    const QPointF moved = (event->position() - mDragPlace) / std::max(height(), 1);
-    mDragPlace = event->position();
-    const auto dx = float(moved.x()), dy = float(moved.y());
-    if (mDrag == Drag::Orbit)
-        mCamera.orbit(dx, dy);
-    else if (mDrag == Drag::Pan)
-        mCamera.pan(dx, dy);
-    else
-        mCamera.zoom(std::pow(4.0f, dy));
-    cameraMoved();
-}
-
-void AnimationViewport::mouseReleaseEvent(QMouseEvent *event)
-{
-    if (event->buttons() == Qt::NoButton)
-        mDrag = Drag::None;
-}
-
-void AnimationViewport::mouseDoubleClickEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton)
-        fitView();
-    else
-        mousePressEvent(event);
-}
-
-void AnimationViewport::zoomAt(float factor, QPointF place)
-{
-    const QPointF fromMiddle = (place - QPointF(width(), height()) / 2) / std::max(height(), 1);
-    mCamera.zoomAt(factor, float(fromMiddle.x()), float(fromMiddle.y()));
-    cameraMoved();
-}
-
-void AnimationViewport::wheelEvent(QWheelEvent *event)
-{
-    const float notches = float(event->angleDelta().y()) / (8 * NotchDegrees);
-    if (notches != 0)
-        zoomAt(std::pow(ZoomStep, notches), event->position());
-    event->accept();
-}
-
-void AnimationViewport::keyPressEvent(QKeyEvent *event)
-{
-    const bool pans = event->modifiers() & Qt::ShiftModifier;
-    const auto move = [&](float x, float y) {
-        if (pans)
-            mCamera.pan(x * KeyPan, y * KeyPan);
-        else
-            mCamera.orbit(x * KeyTurn, y * KeyTurn);
-        cameraMoved();
-    };
-    switch (event->key()) {
-    case Qt::Key_Left:
-        return move(-1, 0);
-    case Qt::Key_Right:
-        return move(1, 0);
-    case Qt::Key_Up:
-        return move(0, -1);
-    case Qt::Key_Down:
-        return move(0, 1);
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-        return zoom(ZoomStep);
-    case Qt::Key_Minus:
-        return zoom(1 / ZoomStep);
-    case Qt::Key_F:
-        return fitView();
-    default:
-        QOpenGLWidget::keyPressEvent(event);
-    }
+    return mControl.handle(*event) || QOpenGLWidget::event(event);
 }
 
 void AnimationViewport::focusInEvent(QFocusEvent *event)

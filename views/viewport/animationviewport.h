@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/base/progress.h"
-#include "model/mesh/camera.h"
 #include "views/scene/player.h"
+#include "views/viewport/cameracontrol.h"
 #include "views/viewport/errorcoloring.h"
 #include "views/viewport/overlay.h"
 #include "views/viewport/scenerenderer.h"
@@ -17,9 +17,8 @@
 
 namespace views {
 
-/// Draws the player's current frame with OpenGL 3.3 core; orbit (left drag, arrow keys), pan (middle or Shift+left
-/// drag, Shift+arrows), zoom (wheel, pinch, right drag, + and -), fit (F, double click). Only positions and normals are
-/// uploaded per frame.
+/// Draws the player's current frame with OpenGL 3.3 core. A CameraControl moves the camera. Only positions and normals
+/// are uploaded per frame.
 ///
 /// At first the camera holds the whole animation; it stays where the user puts it when the animation is edited, unless
 /// that would leave the picture empty. Precondition: glSupport().isSufficient.
@@ -41,11 +40,11 @@ public:
     void setGridVisible(bool visible);
     bool isGridVisible() const { return mStyle.hasGrid; }
 
-    const model::OrbitCamera &camera() const { return mCamera; }
-    void setCamera(const model::OrbitCamera &camera);
+    const model::OrbitCamera &camera() const { return mControl.camera(); }
+    void setCamera(const model::OrbitCamera &camera) { mControl.setCamera(camera); }
     void fitView();
     /// Factor < 1 comes nearer, to the middle of the picture.
-    void zoom(float factor);
+    void zoom(float factor) { mControl.zoom(factor); }
 
     /// The picture at another size than the widget's, without the read-out; for screenshots and PNG sequences.
     /// A null image if the widget was never shown or the size is not within maximumPictureSize().
@@ -66,38 +65,27 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
     bool event(QEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mouseReleaseEvent(QMouseEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     const FrameData *coloredFrame() const override { return mUploaded.get(); }
     void errorColoringChanged() override { update(); }
 
 private:
-    enum class Drag { None, Orbit, Pan, Zoom };
-
     void releaseGl();
     void sourceChanged();
     void boundsFound();
     /// The box over all frames, that of the current frame until it is known.
     model::Box3f sceneBox() const;
-    void cameraMoved();
-    void zoomAt(float factor, QPointF place);
     void uploadCurrentFrame();
     void drawOverlay();
     void frameSwapped();
     void applyPalette();
     QSize pixelSize() const { return size() * devicePixelRatioF(); }
-    float aspect() const;
     /// Null if the frame does not go with its source.
     model::FrameSourcePtr sourceOf(const FrameData &frame) const;
 
     Player &mPlayer;
-    model::OrbitCamera mCamera;
+    CameraControl mControl;
     ViewStyle mStyle;
     bool mStatisticsVisible = true;
 
@@ -106,14 +94,11 @@ private:
     FrameDataPtr mUploaded;
     QSize mMaximumPictureSize;
 
-    bool mCameraIsOurs = true; ///< nobody moved it since it was fitted
     std::optional<model::Box3f> mBounds;
     model::FrameSourcePtr mBoundsSource;
     QFutureWatcher<model::Box3f> mBoundsWatcher;
     model::Progress mBoundsProgress;
 
-    Drag mDrag = Drag::None;
-    QPointF mDragPlace;
     bool mShowsFocus = false; ///< got the focus by the keyboard
 
     ViewportStatistics mStatistics;

@@ -4,7 +4,6 @@
 #include "views/viewport/errorcolors.h"
 
 #include <QColor>
-#include <QFile>
 #include <QVector3D>
 #include <QVector4D>
 
@@ -16,26 +15,16 @@ namespace {
 
 struct Colors
 {
-    QColor top, bottom, surface, backSide, edge, wire, grid;
+    QColor surface, backSide, edge, wire, grid;
 };
 
 const Colors &colorsFor(bool isDark)
 {
-    static const Colors dark{{66, 75, 90},      {21, 24, 30},         {222, 188, 138},    {112, 134, 168},
-                             {28, 24, 20, 190}, {236, 205, 158, 220}, {190, 205, 230, 80}};
-    static const Colors light{{250, 251, 253},   {186, 194, 206},   {214, 172, 116},   {112, 134, 168},
-                              {40, 30, 20, 190}, {70, 52, 32, 220}, {70, 80, 100, 110}};
+    static const Colors dark{
+        {222, 188, 138}, {112, 134, 168}, {28, 24, 20, 190}, {236, 205, 158, 220}, {190, 205, 230, 80}};
+    static const Colors light{
+        {214, 172, 116}, {112, 134, 168}, {40, 30, 20, 190}, {70, 52, 32, 220}, {70, 80, 100, 110}};
     return isDark ? dark : light;
-}
-
-float toLinear(float encoded)
-{
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
-
-QVector4D linear(const QColor &color)
-{
-    return {toLinear(color.redF()), toLinear(color.greenF()), toLinear(color.blueF()), color.alphaF()};
 }
 
 /// 1, 2 or 5 times a power of ten, at most `length`.
@@ -53,37 +42,19 @@ float roundCell(float length)
 SceneRenderer::SceneRenderer(QOpenGLFunctions_3_3_Core &gl)
     : mGl(gl)
     , mMesh(gl)
+    , mBackdrop(gl, mError)
 {
-    mBackground = makeProgram("fullscreen.vert", "background.frag");
-    mSurface = makeProgram("surface.vert", "surface.frag");
-    mSurfaceWithEdges = makeProgram("surface.vert", "surface.frag", "#define EDGES\n");
-    mWire = makeProgram("surface.vert", "surface.frag", "#define EDGES\n#define WIRE\n");
-    mPoints = makeProgram("points.vert", "points.frag");
-    mGrid = makeProgram("grid.vert", "grid.frag");
+    mSurface = makeProgram({"surface.vert", "surface.frag", {}}, {}, mError);
+    mSurfaceWithEdges = makeProgram({"surface.vert", "surface.frag", {}}, "#define EDGES\n", mError);
+    mWire = makeProgram({"surface.vert", "surface.frag", {}}, "#define EDGES\n#define WIRE\n", mError);
+    mPoints = makeProgram({"points.vert", "points.frag", {}}, {}, mError);
+    mGrid = makeProgram({"grid.vert", "grid.frag", {}}, {}, mError);
     mGl.glGenVertexArrays(1, &mEmptyArray);
 }
 
 SceneRenderer::~SceneRenderer()
 {
     mGl.glDeleteVertexArrays(1, &mEmptyArray);
-}
-
-SceneRenderer::Program SceneRenderer::makeProgram(const QString &vertexFile, const QString &fragmentFile,
-                                                  const QByteArray &defines)
-{
-    const auto contents = [](const QString &name) {
-        QFile file(":/shaders/" + name);
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    };
-    const QByteArray start = "#version 330 core\n" + defines;
-    auto program = std::make_unique<QOpenGLShaderProgram>();
-    const bool isGood = program->addShaderFromSourceCode(QOpenGLShader::Vertex, start + contents(vertexFile)) &&
-                        program->addShaderFromSourceCode(QOpenGLShader::Fragment,
-                                                         start + contents("lighting.glsl") + contents(fragmentFile)) &&
-                        program->link();
-    if (!isGood && mError.isEmpty())
-        mError = vertexFile + ", " + fragmentFile + ": " + program->log();
-    return program;
 }
 
 void SceneRenderer::upload(const FrameData &frame, const model::FrameSourcePtr &source)
@@ -95,7 +66,7 @@ void SceneRenderer::upload(const FrameData &frame, const model::FrameSourcePtr &
 void SceneRenderer::draw(const model::OrbitCamera &camera, QSize size, const model::Box3f &scene,
                          const ViewStyle &style)
 {
-    resetState(size);
+    beginPicture(mGl, size);
     if (!mError.isEmpty() || size.isEmpty())
         return;
     const float aspect = float(size.width()) / float(size.height());
@@ -107,7 +78,7 @@ void SceneRenderer::draw(const model::OrbitCamera &camera, QSize size, const mod
     }
     mView = camera.viewMatrix();
     mProjection = camera.projectionMatrix(aspect, visible);
-    drawBackground(aspect, style);
+    mBackdrop.draw(aspect, style.isDark);
     if (mHasMesh)
         drawMesh(style);
     if (style.hasGrid && !scene.isEmpty() && scene.diagonal() > 0)
@@ -115,27 +86,7 @@ void SceneRenderer::draw(const model::OrbitCamera &camera, QSize size, const mod
     mGl.glUseProgram(0);
 }
 
-void SceneRenderer::resetState(QSize size)
-{
-    // QPainter leaves its own state behind after each overlay; multisampling in particular stays off.
-    mGl.glViewport(0, 0, size.width(), size.height());
-    mGl.glDisable(GL_SCISSOR_TEST);
-    mGl.glDisable(GL_STENCIL_TEST);
-    mGl.glDisable(GL_BLEND);
-    mGl.glDisable(GL_CULL_FACE);
-    mGl.glEnable(GL_MULTISAMPLE);
-    mGl.glEnable(GL_DEPTH_TEST);
-    mGl.glEnable(GL_PROGRAM_POINT_SIZE);
-    mGl.glDepthFunc(GL_LEQUAL);
-    mGl.glDepthMask(GL_TRUE);
-    mGl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    mGl.glClearColor(0.1f, 0.1f, 0.12f, 1);
-    mGl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    // The alpha of the picture stays 1: a window would show through otherwise.
-    mGl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-}
-
-void SceneRenderer::use(const Program &program, const ViewStyle &style)
+void SceneRenderer::use(const ShaderProgram &program, const ViewStyle &style)
 {
     const Colors &colors = colorsFor(style.isDark);
     program->bind();
@@ -148,22 +99,6 @@ void SceneRenderer::use(const Program &program, const ViewStyle &style)
     for (std::size_t i = 0; i < map.size(); ++i)
         map[i] = linear(QColor(ErrorColors[i])).toVector3D();
     program->setUniformValueArray("uErrorColors", map.data(), int(map.size()));
-}
-
-void SceneRenderer::drawBackground(float aspect, const ViewStyle &style)
-{
-    const Colors &colors = colorsFor(style.isDark);
-    mGl.glDepthMask(GL_FALSE);
-    mGl.glDisable(GL_DEPTH_TEST);
-    mBackground->bind();
-    mBackground->setUniformValue("uTop", linear(colors.top).toVector3D());
-    mBackground->setUniformValue("uBottom", linear(colors.bottom).toVector3D());
-    mBackground->setUniformValue("uAspect", aspect);
-    mGl.glBindVertexArray(mEmptyArray);
-    mGl.glDrawArrays(GL_TRIANGLES, 0, 3);
-    mGl.glBindVertexArray(0);
-    mGl.glEnable(GL_DEPTH_TEST);
-    mGl.glDepthMask(GL_TRUE);
 }
 
 void SceneRenderer::drawMesh(const ViewStyle &style)
@@ -182,7 +117,7 @@ void SceneRenderer::drawMesh(const ViewStyle &style)
     }
     const bool isWire = style.drawMode == DrawMode::Wireframe;
     const Colors &colors = colorsFor(style.isDark);
-    const Program &program = isWire ? mWire : mSurfaceWithEdges;
+    const ShaderProgram &program = isWire ? mWire : mSurfaceWithEdges;
     use(program, style);
     program->setUniformValue("uTriangles", 0);
     program->setUniformValue("uPositions", 1);

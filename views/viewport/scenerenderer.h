@@ -2,12 +2,10 @@
 #pragma once
 
 #include "model/mesh/camera.h"
+#include "views/viewport/glpicture.h"
 #include "views/viewport/meshbuffers.h"
 
-#include <QOpenGLShaderProgram>
 #include <QSize>
-
-#include <memory>
 
 namespace views {
 
@@ -42,24 +40,20 @@ public:
     void draw(const model::OrbitCamera &camera, QSize size, const model::Box3f &scene, const ViewStyle &style);
 
 private:
-    using Program = std::unique_ptr<QOpenGLShaderProgram>;
-
-    Program makeProgram(const QString &vertexFile, const QString &fragmentFile, const QByteArray &defines = {});
-    void resetState(QSize size);
-    void drawBackground(float aspect, const ViewStyle &style);
     void drawMesh(const ViewStyle &style);
     void drawGrid(const model::Box3f &scene, const ViewStyle &style);
     /// Makes `program` the current one, with camera and colours set.
-    void use(const Program &program, const ViewStyle &style);
+    void use(const ShaderProgram &program, const ViewStyle &style);
 
     QOpenGLFunctions_3_3_Core &mGl;
+    QString mError;
     MeshBuffers mMesh;
+    Backdrop mBackdrop;
     bool mHasMesh = false;
-    Program mBackground, mSurface, mSurfaceWithEdges, mWire, mPoints, mGrid;
+    ShaderProgram mSurface, mSurfaceWithEdges, mWire, mPoints, mGrid;
     GLuint mEmptyArray = 0;
     model::Matrix4 mView{};
     model::Matrix4 mProjection{};
-    QString mError;
 };
 
 } // namespace views

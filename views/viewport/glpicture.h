@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
+#include <QSize>
+#include <QStringList>
+#include <QVector4D>
+
+#include <memory>
+
+namespace views {
+
+using ShaderProgram = std::unique_ptr<QOpenGLShaderProgram>;
+
+/// Of which files (in ":/shaders/") a program is made.
+struct ShaderFiles
+{
+    QString vertex, fragment;
+    QString geometry;        ///< empty: none
+    QStringList before = {}; ///< put before the fragment shader, after lighting.glsl
+};
+
+/// Compiles a program with OpenGL's context current. \param error  the driver's words, if it is still empty
+ShaderProgram makeProgram(const ShaderFiles &files, const QByteArray &defines, QString &error);
+
+/// Sets all state that a picture counts on (QPainter leaves its own behind), and clears colour and depth.
+/// \param size  in pixels of the framebuffer that is bound
+void beginPicture(QOpenGLFunctions_3_3_Core &gl, QSize size);
+
+/// A colour of the screen as light, with its opacity.
+QVector4D linear(const QColor &color);
+
+/// What lies behind everything in a 3D view. Made, used and destroyed with the same context current.
+class Backdrop final
+{
+public:
+    Backdrop(QOpenGLFunctions_3_3_Core &gl, QString &error);
+    ~Backdrop();
+    Backdrop(const Backdrop &) = delete;
+    Backdrop &operator=(const Backdrop &) = delete;
+
+    void draw(float aspect, bool isDark);
+
+private:
+    QOpenGLFunctions_3_3_Core &mGl;
+    ShaderProgram mProgram;
+    GLuint mEmptyArray = 0;
+};
+
+} // namespace views
