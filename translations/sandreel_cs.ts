@@ -44,16 +44,8 @@
         <translation>&amp;Uložit</translation>
     </message>
     <message>
-        <source>Save the animation to its file</source>
-        <translation>Uložit animaci do jejího souboru</translation>
-    </message>
-    <message>
         <source>Save &amp;As…</source>
         <translation>Uložit &amp;jako…</translation>
-    </message>
-    <message>
-        <source>Save the animation to another file</source>
-        <translation>Uložit animaci do jiného souboru</translation>
     </message>
     <message>
         <source>&amp;Frames…</source>
@@ -92,24 +84,12 @@
         <translation>&amp;Načíst znovu</translation>
     </message>
     <message>
-        <source>Read the file again; camera and frame stay</source>
-        <translation>Načíst soubor znovu; kamera a snímek zůstanou</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>&amp;Zavřít</translation>
     </message>
     <message>
-        <source>Close the animation</source>
-        <translation>Zavřít animaci</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>U&amp;končit</translation>
-    </message>
-    <message>
-        <source>Close all animations and quit</source>
-        <translation>Zavřít všechny animace a ukončit program</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -224,16 +204,8 @@
         <translation>Posunout kameru tak, aby bylo vidět vše</translation>
     </message>
     <message>
-        <source>&amp;Next Animation</source>
-        <translation>&amp;Další animace</translation>
-    </message>
-    <message>
         <source>Show the next tab</source>
         <translation>Zobrazit další kartu</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious Animation</source>
-        <translation>P&amp;ředchozí animace</translation>
     </message>
     <message>
         <source>Show the previous tab</source>
@@ -379,6 +351,34 @@
         <source>Let the colours reach to the frame&apos;s largest error instead of that of all frames</source>
         <translation>Barvy sahají k největší chybě tohoto snímku místo všech snímků</translation>
     </message>
+    <message>
+        <source>Save the document to its file</source>
+        <translation>Uloží dokument do jeho souboru</translation>
+    </message>
+    <message>
+        <source>Save the document to another file</source>
+        <translation>Uloží dokument do jiného souboru</translation>
+    </message>
+    <message>
+        <source>Read the file again; the camera stays</source>
+        <translation>Načte soubor znovu; pohled zůstane</translation>
+    </message>
+    <message>
+        <source>Close the document</source>
+        <translation>Zavře dokument</translation>
+    </message>
+    <message>
+        <source>Close all documents and quit</source>
+        <translation>Zavře všechny dokumenty a ukončí program</translation>
+    </message>
+    <message>
+        <source>&amp;Next Document</source>
+        <translation>&amp;Další dokument</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Document</source>
+        <translation>P&amp;ředchozí dokument</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -425,6 +425,13 @@
     <message>
         <source>Show what the last animation lost of this original.</source>
         <translation>Ukázat, co poslední animace ztratila oproti tomuto originálu.</translation>
+    </message>
+</context>
+<context>
+    <name>Documents</name>
+    <message>
+        <source>Animations</source>
+        <translation>Animace</translation>
     </message>
 </context>
 <context>
@@ -1128,8 +1135,8 @@
 <context>
     <name>editor::Document</name>
     <message>
-        <source>%1 (cut)</source>
-        <translation>%1 (neúplné)</translation>
+        <source>Sample, not saved to a file yet</source>
+        <translation>Ukázka, zatím neuložená do souboru</translation>
     </message>
 </context>
 <context>
@@ -1157,28 +1164,8 @@
 <context>
     <name>editor::FileActions</name>
     <message>
-        <source>%1: the file ends too early. Shown are %2 of its %3 details. Copy it again, or save what is there under another name.</source>
-        <translation>%1: soubor končí příliš brzy. Počet zobrazených detailů: %2 z %3. Zkopírujte jej znovu, nebo uložte to, co je k dispozici, pod jiným názvem.</translation>
-    </message>
-    <message>
         <source>%1 cannot be opened.</source>
         <translation>%1 nelze otevřít.</translation>
-    </message>
-    <message>
-        <source>Open Animations</source>
-        <translation>Otevřít animace</translation>
-    </message>
-    <message>
-        <source>Animations (*.anim);;All files (*)</source>
-        <translation>Animace (*.anim);;Všechny soubory (*)</translation>
-    </message>
-    <message>
-        <source>Save Animation As</source>
-        <translation>Uložit animaci jako</translation>
-    </message>
-    <message>
-        <source>Animations (*.anim)</source>
-        <translation>Animace (*.anim)</translation>
     </message>
     <message>
         <source>File Changed</source>
@@ -1212,14 +1199,6 @@
         <source>%1 has unsaved changes.</source>
         <translation>Animace %1 má neuložené změny.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n animation(s) have unsaved changes.</source>
-        <translation>
-            <numerusform>%n animace má neuložené změny.</numerusform>
-            <numerusform>%n animace mají neuložené změny.</numerusform>
-            <numerusform>%n animací má neuložené změny.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>&amp;Save All</source>
         <translation>&amp;Uložit vše</translation>
@@ -1229,16 +1208,36 @@
         <translation>&amp;Zahodit vše</translation>
     </message>
     <message>
-        <source>Opened %1: %L2 vertices, %L3 frames</source>
-        <translation>Otevřeno %1; vrcholů: %L2, snímků: %L3</translation>
-    </message>
-    <message>
         <source>Saved %1 (%2)</source>
         <translation>Uloženo %1 (%2)</translation>
     </message>
     <message>
         <source>%1 was not saved.</source>
         <translation>Soubor %1 nebyl uložen.</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otevřít</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Uložit jako</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n document(s) have unsaved changes.</source>
+        <translation>
+            <numerusform>%n dokument má neuložené změny.</numerusform>
+            <numerusform>%n dokumenty mají neuložené změny.</numerusform>
+            <numerusform>%n dokumentů má neuložené změny.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened %1: %2</source>
+        <translation>Otevřeno %1; %2</translation>
     </message>
 </context>
 <context>
@@ -1329,6 +1328,25 @@
     <message>
         <source>View Toolbar</source>
         <translation>Panel zobrazení</translation>
+    </message>
+</context>
+<context>
+    <name>editor::OpenAnimation</name>
+    <message>
+        <source>%1 (cut)</source>
+        <translation>%1 (neúplné)</translation>
+    </message>
+    <message>
+        <source>What is there of a file that was cut, not saved to a file yet</source>
+        <translation>To, co je k dispozici z neúplného souboru, zatím neuložené do souboru</translation>
+    </message>
+    <message>
+        <source>%L1 vertices, %L2 frames</source>
+        <translation>vrcholů: %L1, snímků: %L2</translation>
+    </message>
+    <message>
+        <source>%1: the file ends too early. Shown are %2 of its %3 details. Copy it again, or save what is there under another name.</source>
+        <translation>%1: soubor končí příliš brzy. Počet zobrazených detailů: %2 z %3. Zkopírujte jej znovu, nebo uložte to, co je k dispozici, pod jiným názvem.</translation>
     </message>
 </context>
 <context>
@@ -1458,20 +1476,12 @@
 <context>
     <name>editor::Workspace</name>
     <message>
-        <source>What is there of a file that was cut, not saved to a file yet</source>
-        <translation>To, co je k dispozici z neúplného souboru, zatím neuložené do souboru</translation>
-    </message>
-    <message>
-        <source>Sample, not saved to a file yet</source>
-        <translation>Ukázka, zatím neuložená do souboru</translation>
-    </message>
-    <message>
         <source>Has unsaved changes</source>
         <translation>Má neuložené změny</translation>
     </message>
     <message>
-        <source>Open animations</source>
-        <translation>Otevřené animace</translation>
+        <source>Open documents</source>
+        <translation>Otevřené dokumenty</translation>
     </message>
 </context>
 <context>

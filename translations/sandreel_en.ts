@@ -14,10 +14,10 @@
 <context>
     <name>editor::FileActions</name>
     <message numerus="yes">
-        <source>%n animation(s) have unsaved changes.</source>
+        <source>%n document(s) have unsaved changes.</source>
         <translation>
-            <numerusform>%n animation has unsaved changes.</numerusform>
-            <numerusform>%n animations have unsaved changes.</numerusform>
+            <numerusform>%n document has unsaved changes.</numerusform>
+            <numerusform>%n documents have unsaved changes.</numerusform>
         </translation>
     </message>
 </context>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/compareactions.h"
 
-#include "app/editor/documenttab.h"
+#include "app/editor/documents/animationtab.h"
 #include "app/editor/settings.h"
 #include "app/editor/workspace.h"
 #include "model/io/errortext.h"
@@ -35,7 +35,7 @@ CompareActions::CompareActions(Actions &actions, Workspace &workspace, const Set
 
 views::Comparison *CompareActions::comparison() const
 {
-    DocumentTab *tab = mWorkspace.current();
+    AnimationTab *tab = mWorkspace.currentAnimation();
     return tab && tab->document().isOpen() ? &tab->document().comparison() : nullptr;
 }
 
@@ -51,7 +51,7 @@ void CompareActions::follow()
 void CompareActions::update()
 {
     const views::Comparison *compared = comparison();
-    const DocumentTab *tab = mWorkspace.current();
+    const AnimationTab *tab = mWorkspace.currentAnimation();
     views::ErrorColoring *coloring = tab ? tab->errorColoring() : nullptr;
     const bool hasErrors = compared && compared->result();
     mActions[ActionId::Compare].setEnabled(compared != nullptr);
@@ -69,11 +69,12 @@ void CompareActions::ask()
     views::Comparison *compared = comparison();
     if (!compared)
         return;
-    Document &document = mWorkspace.current()->document();
+    OpenAnimation &document = mWorkspace.currentAnimation()->document();
     const model::FrameSourcePtr frames = document.context()->document().frames();
     std::vector<views::CompareDialog::Candidate> candidates;
-    for (DocumentTab *tab : mWorkspace.tabs()) {
-        if (&tab->document() == &document || !tab->document().isOpen())
+    for (DocumentTab *open : mWorkspace.tabs()) {
+        AnimationTab *tab = asAnimation(open);
+        if (!tab || &tab->document() == &document || !tab->document().isOpen())
             continue;
         const model::FrameSourcePtr other = tab->document().context()->document().frames();
         if (other->frameCount() == frames->frameCount() && other->vertexCount() == frames->vertexCount())

@@ -32,7 +32,7 @@ private:
     void follow();
     void update();
     void failed(const QString &name, const model::Error &error);
-    /// Null while no document is open.
+    /// Null while no animation is open.
     views::Comparison *comparison() const;
 
     Actions &mActions;

@@ -8,7 +8,8 @@
 
 namespace commands {
 class AnimationContext;
-}
+class EditContext;
+} // namespace commands
 
 namespace views {
 class EditDialog;
@@ -16,10 +17,9 @@ class EditDialog;
 
 namespace editor {
 
-class Document;
 class Workspace;
 
-/// The Edit menu: undo and redo, and the commands that change the animation of the present tab.
+/// The Edit menu: undo and redo in every document, and the commands that change an animation.
 class EditActions final : public QObject
 {
     Q_OBJECT
@@ -32,13 +32,14 @@ private:
     void update();
     static void ask(views::EditDialog *dialog);
     /// Null without an open document.
-    Document *document() const;
-    commands::AnimationContext *context() const;
+    commands::EditContext *context() const;
+    /// Null without an open animation.
+    commands::AnimationContext *animation() const;
 
     Actions &mActions;
     Workspace &mWorkspace;
     QWidget &mWindow;
-    QPointer<commands::AnimationContext> mFollowed;
+    QPointer<commands::EditContext> mFollowed;
 };
 
 } // namespace editor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/exportactions.h"
 
-#include "app/editor/documenttab.h"
+#include "app/editor/documents/animationtab.h"
 #include "app/editor/settings.h"
 #include "app/editor/workspace.h"
 #include "views/dialogs/exportframesdialog.h"
@@ -42,7 +42,7 @@ ExportActions::ExportActions(Actions &actions, Workspace &workspace, const Setti
 {
     const auto onTab = [this](ActionId id, auto function) {
         connect(&mActions[id], &QAction::triggered, this, [this, function] {
-            if (DocumentTab *tab = mWorkspace.current())
+            if (AnimationTab *tab = mWorkspace.currentAnimation())
                 (this->*function)(*tab);
         });
     };
@@ -57,7 +57,7 @@ ExportActions::ExportActions(Actions &actions, Workspace &workspace, const Setti
 
 void ExportActions::update()
 {
-    const DocumentTab *tab = mWorkspace.current();
+    const AnimationTab *tab = mWorkspace.currentAnimation();
     const bool open = tab && tab->document().isOpen();
     const bool drawn = open && tab->viewport();
     mActions[ActionId::ExportFrames].setEnabled(open);
@@ -66,28 +66,28 @@ void ExportActions::update()
     mActions[ActionId::ExportPictures].setEnabled(drawn);
 }
 
-void ExportActions::exportFrames(DocumentTab &tab)
+void ExportActions::exportFrames(AnimationTab &tab)
 {
     views::Player &player = tab.document().player();
     present(new views::ExportFramesDialog(player.source(), proposal(tab, QStringLiteral("_frames")),
                                           player.playback().rangeFirst(), player.playback().rangeLast(), &mWindow));
 }
 
-void ExportActions::exportPointCache(DocumentTab &tab)
+void ExportActions::exportPointCache(AnimationTab &tab)
 {
     views::Player &player = tab.document().player();
     present(new views::ExportPointCacheDialog(player.source(), proposal(tab, QStringLiteral(".pc2")),
                                               player.playback().rangeFirst(), player.playback().rangeLast(), &mWindow));
 }
 
-void ExportActions::exportScreenshot(DocumentTab &tab)
+void ExportActions::exportScreenshot(AnimationTab &tab)
 {
     const views::FrameDataPtr frame = tab.document().player().currentFrame();
     if (frame)
         present(new views::ScreenshotDialog(*tab.viewport(), frame, proposal(tab, QStringLiteral(".png")), &mWindow));
 }
 
-void ExportActions::exportPictures(DocumentTab &tab)
+void ExportActions::exportPictures(AnimationTab &tab)
 {
     views::Player &player = tab.document().player();
     const model::Playback &playback = player.playback();
@@ -98,7 +98,7 @@ void ExportActions::exportPictures(DocumentTab &tab)
     present(dialog);
 }
 
-QString ExportActions::proposal(const DocumentTab &tab, const QString &suffix) const
+QString ExportActions::proposal(const AnimationTab &tab, const QString &suffix) const
 {
     const QString path = tab.document().path();
     const QDir folder(path.isEmpty() ? mSettings.lastFolder() : QFileInfo(path).absolutePath());

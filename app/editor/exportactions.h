@@ -7,7 +7,7 @@
 
 namespace editor {
 
-class DocumentTab;
+class AnimationTab;
 class Settings;
 class Workspace;
 
@@ -21,12 +21,12 @@ public:
 
 private:
     void update();
-    void exportFrames(DocumentTab &tab);
-    void exportPointCache(DocumentTab &tab);
-    void exportScreenshot(DocumentTab &tab);
-    void exportPictures(DocumentTab &tab);
+    void exportFrames(AnimationTab &tab);
+    void exportPointCache(AnimationTab &tab);
+    void exportScreenshot(AnimationTab &tab);
+    void exportPictures(AnimationTab &tab);
     /// Beside the document's file, named after it, with `suffix` appended.
-    QString proposal(const DocumentTab &tab, const QString &suffix) const;
+    QString proposal(const AnimationTab &tab, const QString &suffix) const;
 
     Actions &mActions;
     Workspace &mWorkspace;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/fileactions.h"
 
-#include "app/editor/documenttab.h"
+#include "app/editor/documents/animationtab.h"
 #include "app/editor/workspace.h"
 #include "model/io/animationreader.h"
 #include "model/io/errortext.h"
@@ -19,17 +19,6 @@
 #include <algorithm>
 
 namespace editor {
-
-namespace {
-
-const QString AnimEnding = QStringLiteral("anim");
-
-bool isAnim(const QFileInfo &file)
-{
-    return file.suffix().compare(AnimEnding, Qt::CaseInsensitive) == 0;
-}
-
-} // namespace
 
 FileActions::FileActions(Actions &actions, Workspace &workspace, Settings &settings, views::LogModel &log,
                          QWidget &window)
@@ -62,15 +51,16 @@ void FileActions::openPaths(const QStringList &paths)
 {
     for (const QString &path : paths) {
         const QFileInfo file(path);
+        const std::optional<DocumentKind> kind = kindOfFile(path);
         if (!file.exists()) {
             tell(tr("%1 cannot be opened.").arg(file.fileName()),
                  model::Error{model::ErrorCode::NotFound, {}, path.toStdString()});
             mSettings.removeRecentFile(file.absoluteFilePath());
             emit recentFilesChanged();
-        } else if (file.isDir() || (!isAnim(file) && model::io::readableEndings().contains(file.suffix().toLower()))) {
+        } else if (file.isDir() || (!kind && model::io::readableEndings().contains(file.suffix().toLower()))) {
             prepare(file.absoluteFilePath());
-        } else if (isAnim(file)) {
-            openAnimation(file.absoluteFilePath());
+        } else if (kind) {
+            openDocument(*kind, file.absoluteFilePath());
         } else {
             tell(tr("%1 cannot be opened.").arg(file.fileName()),
                  model::Error{model::ErrorCode::UnknownFormat, {file.suffix().toStdString()}, path.toStdString()});
@@ -78,37 +68,46 @@ void FileActions::openPaths(const QStringList &paths)
     }
 }
 
-void FileActions::openAnimation(const QString &path)
+void FileActions::openDocument(DocumentKind kind, const QString &path)
 {
     for (DocumentTab *tab : mWorkspace.tabs())
         if (tab->document().path() == path) {
             mWorkspace.activate(*tab);
             return;
         }
-    auto *tab = new DocumentTab(views::glSupport().isSufficient);
+    DocumentTab &tab = addTab(kind);
+    tab.document().open(path);
+    mWorkspace.add(&tab);
+}
+
+DocumentTab &FileActions::addTab(DocumentKind kind)
+{
+    DocumentTab *tab = makeTab(kind, views::glSupport().isSufficient);
     Document &document = tab->document();
     connect(&document, &Document::opened, this, [this, tab] { opened(*tab); });
     connect(&document, &Document::failed, this, [this, tab](const model::Error &e) { openingFailed(*tab, e); });
     connect(&document, &Document::saved, this, [this, tab] { saved(*tab); });
     connect(&document, &Document::saveFailed, this, [this, tab](const model::Error &e) { savingFailed(*tab, e); });
-    document.open(path);
-    mWorkspace.add(tab);
+    return *tab;
 }
 
 void FileActions::showOpenDialog()
 {
-    const QStringList paths = QFileDialog::getOpenFileNames(&mWindow, tr("Open Animations"), mSettings.lastFolder(),
-                                                            tr("Animations (*.anim);;All files (*)"));
-    openPaths(paths);
+    QStringList filters;
+    for (const DocumentKind kind : EveryDocumentKind)
+        filters << filterOf(kind);
+    filters << tr("All files (*)");
+    openPaths(QFileDialog::getOpenFileNames(&mWindow, tr("Open"), mSettings.lastFolder(),
+                                            filters.join(QStringLiteral(";;"))));
 }
 
 void FileActions::openPrepared(const QString &path, const views::OriginalPtr &original)
 {
     openPaths({path});
-    DocumentTab *tab = mWorkspace.current();
+    AnimationTab *tab = mWorkspace.currentAnimation();
     if (!tab || !tab->document().isOpening() || tab->document().path() != QFileInfo(path).absoluteFilePath())
         return; // open already: it may hold what the file held before
-    Document &document = tab->document();
+    OpenAnimation &document = tab->document();
     connect(
         &document, &Document::opened, this,
         [&document, original] {
@@ -149,13 +148,13 @@ bool FileActions::saveAs(DocumentTab &tab)
     Document &document = tab.document();
     if (!document.canSave())
         return false;
+    const QString ending = endingOf(document.kind());
     const QString proposal = document.path().isEmpty()
-                                 ? QDir(mSettings.lastFolder()).filePath(document.title() + QLatin1String(".anim"))
+                                 ? QDir(mSettings.lastFolder()).filePath(document.title() + QLatin1Char('.') + ending)
                                  : document.path();
-    QFileDialog dialog(&mWindow, tr("Save Animation As"), QFileInfo(proposal).absolutePath(),
-                       tr("Animations (*.anim)"));
+    QFileDialog dialog(&mWindow, tr("Save As"), QFileInfo(proposal).absolutePath(), filterOf(document.kind()));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(AnimEnding);
+    dialog.setDefaultSuffix(ending);
     dialog.selectFile(QFileInfo(proposal).fileName());
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
         return false;
@@ -227,7 +226,7 @@ FileActions::Answer FileActions::askAbout(const std::vector<DocumentTab *> &modi
     if (modified.size() == 1) {
         box.setText(tr("%1 has unsaved changes.").arg(modified.front()->document().title()));
     } else {
-        box.setText(tr("%n animation(s) have unsaved changes.", nullptr, int(modified.size())));
+        box.setText(tr("%n document(s) have unsaved changes.", nullptr, int(modified.size())));
         QStringList names;
         for (const DocumentTab *tab : modified)
             names << QStringLiteral("• ") + tab->document().title();
@@ -298,23 +297,14 @@ void FileActions::closeSavedOnes()
 void FileActions::opened(DocumentTab &tab)
 {
     Document &document = tab.document();
-    const views::FileFacts &facts = *document.fileFacts();
-    mLog.add(views::LogLevel::Info, tr("Opened %1: %L2 vertices, %L3 frames")
-                                        .arg(document.path().isEmpty() ? document.title() : document.path())
-                                        .arg(facts.vertexCount)
-                                        .arg(facts.frameCount));
+    const QString name = document.path().isEmpty() ? document.title() : document.path();
+    mLog.add(views::LogLevel::Info, tr("Opened %1: %2").arg(name, document.summary()));
     if (!document.path().isEmpty()) {
         mSettings.addRecentFile(document.path());
         mSettings.setLastFolder(QFileInfo(document.path()).absolutePath());
         emit recentFilesChanged();
     }
-    if (document.cut()) {
-        const QString message =
-            tr("%1: the file ends too early. Shown are %2 of its %3 details. Copy it again, or save "
-               "what is there under another name.")
-                .arg(document.title())
-                .arg(document.cut()->details)
-                .arg(document.cut()->detailsInFile);
+    if (const QString message = document.warning(); !message.isEmpty()) {
         mLog.add(views::LogLevel::Warning, message);
         mWorkspace.messages().add(views::MessageBar::Kind::Warning, message);
     }
@@ -332,8 +322,7 @@ void FileActions::openingFailed(DocumentTab &tab, const model::Error &error)
 void FileActions::saved(DocumentTab &tab)
 {
     const Document &document = tab.document();
-    mLog.add(views::LogLevel::Info,
-             tr("Saved %1 (%2)").arg(document.path(), views::bytesText(document.fileFacts()->bytes)));
+    mLog.add(views::LogLevel::Info, tr("Saved %1 (%2)").arg(document.path(), views::bytesText(document.fileBytes())));
     mSettings.addRecentFile(document.path());
     mSettings.setLastFolder(QFileInfo(document.path()).absolutePath());
     emit recentFilesChanged();
@@ -362,7 +351,7 @@ void FileActions::update()
     const bool canSave = tab && tab->document().canSave();
     mActions[ActionId::Save].setEnabled(canSave && (tab->document().isModified() || tab->document().path().isEmpty()));
     mActions[ActionId::SaveAs].setEnabled(canSave);
-    mActions[ActionId::Reload].setEnabled(canSave);
+    mActions[ActionId::Reload].setEnabled(tab && tab->document().canReload());
     mActions[ActionId::CloseTab].setEnabled(tab != nullptr);
     for (const ActionId id : {ActionId::NextTab, ActionId::PreviousTab})
         mActions[id].setEnabled(mWorkspace.tabs().size() > 1);

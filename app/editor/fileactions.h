@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/editor/actions.h"
+#include "app/editor/documents/documentkind.h"
 #include "app/editor/settings.h"
 #include "model/base/error.h"
 #include "views/scene/framedata.h"
@@ -21,7 +22,6 @@ class PrepareDialog;
 namespace editor {
 
 class Document;
-class DocumentTab;
 class Workspace;
 
 /// The life of documents: open, prepare, save, reload, close, and the questions that come with it.
@@ -32,7 +32,7 @@ class FileActions final : public QObject
 public:
     FileActions(Actions &actions, Workspace &workspace, Settings &settings, views::LogModel &log, QWidget &window);
 
-    /// Opens `.anim` files and samples as tabs; offers to prepare everything else; says what cannot be had.
+    /// Opens documents and samples as tabs; offers to prepare everything else; says what cannot be had.
     void openPaths(const QStringList &paths);
     void prepare(const QString &source);
 
@@ -50,7 +50,9 @@ signals:
 private:
     enum class Answer { Save, Discard, Cancel };
 
-    void openAnimation(const QString &path);
+    void openDocument(DocumentKind kind, const QString &path);
+    /// A new tab whose document is still to be opened.
+    DocumentTab &addTab(DocumentKind kind);
     void openPrepared(const QString &path, const views::OriginalPtr &original);
     void showOpenDialog();
     /// Saves to its file; asks for one if it has none. False if the user thought better of it.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/mainwindow.h"
 
-#include "app/editor/documenttab.h"
+#include "app/editor/documents/animationtab.h"
 #include "app/editor/shortcuts.h"
 #include "app/editor/welcomepage.h"
 #include "app/editor/windowstate.h"
@@ -134,11 +134,12 @@ void MainWindow::makeDocks()
 void MainWindow::followDocument()
 {
     DocumentTab *tab = mWorkspace->current();
-    commands::AnimationContext *context = tab ? tab->document().context() : nullptr;
-    mHistory->setContext(context);
-    mCompression->setDocument(context, tab ? tab->document().fileFacts() : std::nullopt);
-    mTimeline->setPlayer(context ? &tab->document().player() : nullptr);
-    mTimeline->setComparison(context ? &tab->document().comparison() : nullptr);
+    mHistory->setContext(tab ? tab->document().context() : nullptr);
+    AnimationTab *animation = mWorkspace->currentAnimation();
+    commands::AnimationContext *context = animation ? animation->document().context() : nullptr;
+    mCompression->setDocument(context, animation ? animation->document().fileFacts() : std::nullopt);
+    mTimeline->setPlayer(context ? &animation->document().player() : nullptr);
+    mTimeline->setComparison(context ? &animation->document().comparison() : nullptr);
     if (tab)
         connect(&tab->document(), &Document::aboutToBeReplaced, this, &MainWindow::letGo, Qt::UniqueConnection);
     showTitle();

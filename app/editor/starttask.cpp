@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/starttask.h"
 
-#include "app/editor/documenttab.h"
+#include "app/editor/documents/animationtab.h"
 #include "app/editor/mainwindow.h"
 #include "views/dialogs/comparedialog.h"
 
@@ -38,7 +38,7 @@ void StartTask::proceed()
     const auto tabs = mWindow.workspace().tabs();
     if (std::any_of(tabs.begin(), tabs.end(), [](DocumentTab *tab) { return tab->document().isOpening(); }))
         return;
-    if (DocumentTab *tab = mWindow.workspace().current(); tab && tab->document().isOpen()) {
+    if (AnimationTab *tab = mWindow.workspace().currentAnimation(); tab && tab->document().isOpen()) {
         views::Comparison &comparison = tab->document().comparison();
         if (!mOptions.original.isEmpty() && !std::exchange(mIsComparing, true)) {
             mWindow.actions()[ActionId::ErrorColors].setChecked(true);
@@ -49,7 +49,7 @@ void StartTask::proceed()
             return;
     }
     mPolling.stop();
-    if (DocumentTab *tab = mWindow.workspace().current()) {
+    if (AnimationTab *tab = mWindow.workspace().currentAnimation()) {
         if (mOptions.frame)
             tab->document().player().seek(*mOptions.frame - 1);
         if (mOptions.play)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/statuspanel.h"
 
-#include "app/editor/documenttab.h"
+#include "app/editor/documents/animationtab.h"
 #include "app/editor/workspace.h"
 #include "views/dialogs/quantitytext.h"
 
@@ -30,7 +30,7 @@ StatusPanel::StatusPanel(QStatusBar &bar, Workspace &workspace)
 void StatusPanel::follow()
 {
     disconnect(mChanges);
-    if (const DocumentTab *tab = mWorkspace.current(); tab && tab->document().isOpen())
+    if (const AnimationTab *tab = mWorkspace.currentAnimation(); tab && tab->document().isOpen())
         mChanges = connect(&tab->document().context()->document(), &model::AnimationDocument::changed, this,
                            &StatusPanel::update);
     update();
@@ -38,11 +38,13 @@ void StatusPanel::follow()
 
 void StatusPanel::update()
 {
-    const DocumentTab *tab = mWorkspace.current();
+    const AnimationTab *tab = mWorkspace.currentAnimation();
     const bool open = tab && tab->document().isOpen();
     mNumbers->setVisible(open);
     if (!open) {
-        mHint->setText(tab ? QString() : tr("Drop an .anim file, a folder of meshes, a point cache or a scene here"));
+        mHint->setText(mWorkspace.current()
+                           ? QString()
+                           : tr("Drop an .anim file, a folder of meshes, a point cache or a scene here"));
         return;
     }
     mHint->setText(tab->viewport() ? tr("Drag: orbit   Shift+drag: pan   Wheel: zoom   Space: play") : QString());

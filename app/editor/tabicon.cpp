@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/tabicon.h"
 
-#include "app/editor/document.h"
+#include "app/editor/documents/document.h"
 
 #include <QGuiApplication>
 #include <QIconEngine>

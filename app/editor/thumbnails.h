@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/editor/filestamp.h"
+#include "app/editor/documents/filestamp.h"
 #include "model/mesh/softwareraster.h"
 #include "views/jobs/job.h"
 

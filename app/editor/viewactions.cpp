@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/viewactions.h"
 
-#include "app/editor/documenttab.h"
+#include "app/editor/documents/animationtab.h"
 #include "app/editor/workspace.h"
 #include "views/viewport/animationviewport.h"
 
@@ -114,7 +114,7 @@ void ViewActions::toggleFullScreen(bool on)
 
 views::AnimationViewport *ViewActions::viewport() const
 {
-    DocumentTab *tab = mWorkspace.current();
+    const AnimationTab *tab = mWorkspace.currentAnimation();
     return tab ? tab->viewport() : nullptr;
 }
 

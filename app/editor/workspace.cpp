@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/workspace.h"
 
-#include "app/editor/documenttab.h"
+#include "app/editor/documents/documenttab.h"
 #include "app/editor/tabicon.h"
 
 #include <QDir>
@@ -80,6 +80,11 @@ DocumentTab *Workspace::current() const
     return at(mTabs->currentIndex());
 }
 
+AnimationTab *Workspace::currentAnimation() const
+{
+    return asAnimation(current());
+}
+
 std::vector<DocumentTab *> Workspace::tabs() const
 {
     std::vector<DocumentTab *> result;
@@ -103,9 +108,7 @@ void Workspace::showState(DocumentTab &tab)
     title.replace(QLatin1Char('&'), QLatin1String("&&"));
     mTabs->setTabText(index, title);
     mTabs->setTabIcon(index, tabIcon(document));
-    QString tip = document.cut()              ? tr("What is there of a file that was cut, not saved to a file yet")
-                  : document.path().isEmpty() ? tr("Sample, not saved to a file yet")
-                                              : QDir::toNativeSeparators(document.path());
+    QString tip = document.path().isEmpty() ? document.origin() : QDir::toNativeSeparators(document.path());
     if (document.isModified())
         tip += QLatin1Char('\n') + tr("Has unsaved changes");
     mTabs->setTabToolTip(index, tip);
@@ -125,8 +128,8 @@ void Workspace::changeEvent(QEvent *event)
 
 void Workspace::retranslate()
 {
-    mTabs->setAccessibleName(tr("Open animations"));
-    mTabs->tabBar()->setAccessibleName(tr("Open animations"));
+    mTabs->setAccessibleName(tr("Open documents"));
+    mTabs->tabBar()->setAccessibleName(tr("Open documents"));
 }
 
 bool Workspace::eventFilter(QObject *watched, QEvent *event)

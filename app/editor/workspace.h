@@ -12,9 +12,10 @@ class QTabWidget;
 
 namespace editor {
 
+class AnimationTab;
 class DocumentTab;
 
-/// The middle of the window: open animations as tabs, or the welcome page while there is none, with messages above.
+/// The middle of the window: open documents as tabs, or the welcome page while there is none, with messages above.
 class Workspace final : public QWidget
 {
     Q_OBJECT
@@ -33,6 +34,8 @@ public:
 
     /// Null while the welcome page is shown.
     DocumentTab *current() const;
+    /// The same if it is an animation.
+    AnimationTab *currentAnimation() const;
     /// From left to right.
     std::vector<DocumentTab *> tabs() const;
 

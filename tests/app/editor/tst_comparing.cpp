@@ -76,7 +76,7 @@ private slots:
         QVERIFY(mDriver->document().isModified()); // by the turning round alone: one step
         QCOMPARE(mDriver->document().context()->undoStack().count(), 1);
 
-        auto *viewport = mDriver->window.workspace().current()->viewport();
+        auto *viewport = mDriver->window.workspace().currentAnimation()->viewport();
         QVERIFY(viewport);
         QTRY_VERIFY(viewport->errorRange() > 0); // coloured at once
         mDriver->action(ActionId::ErrorRange).trigger();
@@ -101,7 +101,7 @@ private slots:
         mDriver->action(ActionId::Undo).trigger();
         QVERIFY(waitForResult());
         QCOMPARE(comparison().result()->maxVertexError, 0.0); // the same file twice
-        auto *viewport = mDriver->window.workspace().current()->viewport();
+        auto *viewport = mDriver->window.workspace().currentAnimation()->viewport();
         QTRY_VERIFY(viewport->errorRange() > 0); // the first colour everywhere
     }
 

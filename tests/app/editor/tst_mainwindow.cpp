@@ -60,7 +60,7 @@ private slots:
         QVERIFY(!samples.empty());
         QVERIFY(driver.open(samples.front().path));
         QVERIFY(driver.document().path().isEmpty());
-        QVERIFY(driver.window.workspace().current()->viewport());
+        QVERIFY(driver.window.workspace().currentAnimation()->viewport());
         QTRY_VERIFY(driver.document().player().currentFrame());
         QVERIFY(driver.window.statusBar()->findChild<QLabel *>("statusNumbers")->text().contains("fps"));
         QVERIFY(!driver.action(ActionId::Undo).isEnabled());
@@ -312,7 +312,7 @@ private slots:
         file.close();
         tests::WindowDriver driver;
         QVERIFY(driver.open(path));
-        editor::Document &document = driver.document();
+        editor::OpenAnimation &document = driver.document();
         QVERIFY(document.cut() && document.cut()->details < document.cut()->detailsInFile);
         QCOMPARE(document.title(), QStringLiteral("cut (cut)"));
         QVERIFY(document.path().isEmpty() && !document.isModified());
@@ -372,7 +372,7 @@ private slots:
     void withoutOpenGlThereIsAMessage()
     {
         const QString path = tests::makeAnim(*mFolder);
-        editor::DocumentTab tab(false);
+        editor::AnimationTab tab(false);
         tab.document().open(path);
         QTRY_VERIFY(tab.document().isOpen());
         QVERIFY(!tab.viewport());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/editor/documenttab.h"
+#include "app/editor/documents/animationtab.h"
 #include "app/editor/language.h"
 #include "app/editor/mainwindow.h"
 #include "model/animation/compressionsettings.h"
@@ -19,7 +19,8 @@ struct WindowDriver
 {
     WindowDriver();
 
-    editor::Document &document() { return window.workspace().current()->document(); }
+    /// Precondition: the current tab is an animation's.
+    editor::OpenAnimation &document() { return window.workspace().currentAnimation()->document(); }
     QAction &action(editor::ActionId id) { return window.actions()[id]; }
     /// Waits until nothing is being opened or saved.
     bool settle();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/filestamp.h"
+#include "app/editor/documents/filestamp.h"
 
 #include <QFileInfo>
 

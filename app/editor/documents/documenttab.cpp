@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/documenttab.h"
-
-#include "views/viewport/animationviewport.h"
-#include "views/viewport/noglview.h"
+#include "app/editor/documents/documenttab.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -29,15 +26,15 @@ QLabel *makeTitle(QWidget *parent)
 
 } // namespace
 
-DocumentTab::DocumentTab(bool canDraw, QWidget *parent)
+DocumentTab::DocumentTab(std::unique_ptr<Document> document, QWidget *parent)
     : QWidget(parent)
-    , mCanDraw(canDraw)
+    , mDocument(std::move(document))
     , mPages(new QStackedLayout(this))
 {
     mPages->addWidget(makeOpeningPage());
-    connect(&mDocument, &Document::opened, this, &DocumentTab::showDocument);
-    connect(&mDocument, &Document::stateChanged, this, &DocumentTab::retranslate);
-    connect(&mDocument.openingJob(), &views::Job::progressed, this,
+    connect(mDocument.get(), &Document::opened, this, &DocumentTab::showDocument);
+    connect(mDocument.get(), &Document::stateChanged, this, &DocumentTab::retranslate);
+    connect(&mDocument->openingJob(), &views::Job::progressed, this,
             [this](double fraction) { mOpeningBar->setValue(int(fraction * ProgressSteps)); });
     retranslate();
 }
@@ -53,7 +50,7 @@ QWidget *DocumentTab::makeOpeningPage()
     mOpeningBar->setFixedWidth(320);
     mCancel = new QPushButton(page);
     mCancel->setObjectName(QStringLiteral("cancelOpening"));
-    connect(mCancel, &QPushButton::clicked, &mDocument, &Document::cancelOpening);
+    connect(mCancel, &QPushButton::clicked, mDocument.get(), &Document::cancelOpening);
     layout->addStretch();
     layout->addWidget(mOpeningTitle, 0, Qt::AlignHCenter);
     layout->addSpacing(8);
@@ -66,21 +63,10 @@ QWidget *DocumentTab::makeOpeningPage()
 
 void DocumentTab::showDocument()
 {
-    if (mPages->count() == 1) {
-        QWidget *page = nullptr;
-        if (mCanDraw) {
-            page = mViewport = new views::AnimationViewport(mDocument.player(), this);
-            mErrorColoring = mViewport;
-        } else {
-            auto *view = new views::NoGlView(mDocument.player(), this);
-            page = view;
-            mErrorColoring = view;
-        }
-        mErrorColoring->setComparison(&mDocument.comparison());
-        mPages->addWidget(page);
-        retranslate();
-    }
-    mPages->setCurrentIndex(1);
+    QWidget *shown = page();
+    if (mPages->indexOf(shown) < 0)
+        mPages->addWidget(shown);
+    mPages->setCurrentWidget(shown);
 }
 
 void DocumentTab::changeEvent(QEvent *event)
@@ -92,7 +78,7 @@ void DocumentTab::changeEvent(QEvent *event)
 
 void DocumentTab::retranslate()
 {
-    mOpeningTitle->setText(tr("Opening %1…").arg(mDocument.title()));
+    mOpeningTitle->setText(tr("Opening %1…").arg(mDocument->title()));
     mOpeningBar->setAccessibleName(tr("Progress of opening"));
     mCancel->setText(tr("Cancel"));
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/document.h"
+#include "app/editor/documents/openanimation.h"
 
-#include "app/editor/samples.h"
 #include "model/io/animfile.h"
 
 #include <QFileInfo>
@@ -37,43 +36,33 @@ model::Result<Saved> saveToFile(const model::FrameSource &frames, const model::C
 
 constexpr std::uint64_t WholeFile = ~std::uint64_t(0);
 
-bool isInResources(const QString &path)
-{
-    return path.startsWith(QLatin1String(":/"));
-}
-
 } // namespace
 
-Document::Content Document::Content::of(const model::AnimationDocument &document)
+OpenAnimation::Content OpenAnimation::Content::of(const model::AnimationDocument &document)
 {
     return {document.timing(), document.placement(), document.name(), document.compression()};
 }
 
-Document::Document(QObject *parent)
-    : QObject(parent)
-{
-    connect(&mOpening, &views::Job::runningChanged, this, &Document::stateChanged);
-    connect(&mSaving, &views::Job::runningChanged, this, &Document::stateChanged);
-}
+OpenAnimation::OpenAnimation(QObject *parent)
+    : Document(parent)
+{}
 
-Document::~Document()
+OpenAnimation::~OpenAnimation()
 {
     emit aboutToBeReplaced();
 }
 
-void Document::open(const QString &path)
+void OpenAnimation::read(const QString &path)
 {
-    mSource = path;
-    mPath = isInResources(path) ? QString() : path;
     struct Opened
     {
         AnimationPtr animation;
         FileStamp stamp;
         std::optional<Cut> cut;
     };
-    mOpening.start(
+    openingJob().start(
         [path](const model::Progress &progress) -> model::Result<Opened> {
-            const FileStamp stamp = FileStamp::of(path); // before reading: a later writer is then noticed
+            const FileStamp stamp = FileStamp::of(path);
             auto animation = model::io::openAnim(path, progress);
             if (!animation && animation.error().code == model::ErrorCode::Truncated)
                 if (auto prefix = model::io::openAnimPrefix(path, WholeFile, progress))
@@ -87,20 +76,15 @@ void Document::open(const QString &path)
                 emit failed(result.error());
                 return;
             }
-            mStamp = result->stamp;
             mCut = result->cut;
             if (mCut)
-                mPath.clear(); // so that saving asks where: the file may still be coming
+                forgetPath(); // the file may still be coming
             take(std::move(result->animation));
+            finishOpening(result->stamp);
         });
 }
 
-void Document::reload()
-{
-    open(mSource);
-}
-
-void Document::take(AnimationPtr animation)
+void OpenAnimation::take(AnimationPtr animation)
 {
     emit aboutToBeReplaced();
     const bool again = isOpen();
@@ -110,7 +94,7 @@ void Document::take(AnimationPtr animation)
     const model::CompressionSettings settings = animation->settings();
     mDocument = std::make_unique<model::AnimationDocument>(std::move(animation), settings);
     mContext = std::make_unique<commands::AnimationContext>(*mDocument);
-    connect(mDocument.get(), &model::AnimationDocument::changed, this, &Document::contentChanged);
+    connect(mDocument.get(), &model::AnimationDocument::changed, this, &OpenAnimation::contentChanged);
     mSavedContent = Content::of(*mDocument);
     mPlayer.setSource(mDocument->frames());
     if (again) {
@@ -118,64 +102,64 @@ void Document::take(AnimationPtr animation)
         if (before.isPlaying())
             mPlayer.play();
     }
-    updateModified();
-    emit opened();
 }
 
-void Document::save(const QString &path)
+void OpenAnimation::write(const QString &path)
 {
-    Q_ASSERT(canSave());
     Content content = Content::of(*mDocument);
     const int step = mContext->undoStack().index();
-    mSaving.start([frames = mDocument->frames(), settings = content.compression,
-                   path](const model::Progress &progress) { return saveToFile(*frames, settings, path, progress); },
-                  [this, path, step, content = std::move(content)](model::Result<Saved> result) mutable {
-                      if (!result) {
-                          emit saveFailed(result.error());
-                          return;
-                      }
-                      mSource = mPath = path;
-                      mCut.reset();
-                      mStamp = result->stamp;
-                      mFacts = std::move(result->facts);
-                      mSavedContent = std::move(content);
-                      // The stack can mark only the step that it stands on.
-                      if (mContext->undoStack().index() == step)
-                          mContext->undoStack().setClean();
-                      else
-                          mContext->undoStack().resetClean();
-                      updateModified();
-                      emit saved();
-                      emit stateChanged();
-                  });
+    savingJob().start([frames = mDocument->frames(), settings = content.compression,
+                       path](const model::Progress &progress) { return saveToFile(*frames, settings, path, progress); },
+                      [this, path, step, content = std::move(content)](model::Result<Saved> result) mutable {
+                          if (!result) {
+                              emit saveFailed(result.error());
+                              return;
+                          }
+                          mCut.reset();
+                          mFacts = std::move(result->facts);
+                          mSavedContent = std::move(content);
+                          finishSaving(path, result->stamp, step);
+                      });
 }
 
-QString Document::title() const
+QString OpenAnimation::title() const
 {
-    if (mCut)
-        return tr("%1 (cut)").arg(QFileInfo(mSource).completeBaseName());
-    return mPath.isEmpty() ? sampleName(mSource) : QFileInfo(mPath).completeBaseName();
+    return mCut ? tr("%1 (cut)").arg(QFileInfo(source()).completeBaseName()) : Document::title();
 }
 
-bool Document::isModified() const
+QString OpenAnimation::origin() const
+{
+    return mCut ? tr("What is there of a file that was cut, not saved to a file yet") : Document::origin();
+}
+
+QString OpenAnimation::summary() const
+{
+    return tr("%L1 vertices, %L2 frames").arg(mFacts->vertexCount).arg(mFacts->frameCount);
+}
+
+QString OpenAnimation::warning() const
+{
+    if (!mCut)
+        return {};
+    return tr("%1: the file ends too early. Shown are %2 of its %3 details. Copy it again, or save what is there under "
+              "another name.")
+        .arg(title())
+        .arg(mCut->details)
+        .arg(mCut->detailsInFile);
+}
+
+bool OpenAnimation::isModified() const
 {
     return mDocument && mSavedContent && !(Content::of(*mDocument) == *mSavedContent);
 }
 
-void Document::contentChanged(const model::AnimationChange &change)
+void OpenAnimation::contentChanged(const model::AnimationChange &change)
 {
     const bool framesDiffer =
         std::holds_alternative<model::TimingChanged>(change) || std::holds_alternative<model::PlacementChanged>(change);
     if (framesDiffer)
         mPlayer.setSource(mDocument->frames());
     updateModified();
-}
-
-void Document::updateModified()
-{
-    const bool modified = isModified();
-    if (std::exchange(mWasModified, modified) != modified)
-        emit stateChanged();
 }
 
 } // namespace editor
