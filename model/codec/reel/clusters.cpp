@@ -59,7 +59,8 @@ double bitsOf(const MatrixXd &moment, double vertices, double rows, double step)
 }
 
 /// A group for each of the components that move most; every other one joins the group that moves most alike.
-std::vector<Group> candidates(const MatrixXd &coefficients, std::span<const std::uint32_t> components)
+std::vector<Group> candidates(const MatrixXd &coefficients, std::span<const std::uint32_t> components,
+                              const Progress &progress)
 {
     const std::size_t count = components.empty() ? 0 : 1 + *std::ranges::max_element(components);
     std::vector<std::vector<Index>> columns(count);
@@ -74,6 +75,8 @@ std::vector<Group> candidates(const MatrixXd &coefficients, std::span<const std:
 
     std::vector<Group> groups;
     for (const std::uint32_t component : order) {
+        if (progress.isCancelled())
+            break;
         MatrixXd moment = MatrixXd::Zero(coefficients.rows(), coefficients.rows());
         for (const Index v : columns[component])
             moment.selfadjointView<Eigen::Lower>().rankUpdate(coefficients.col(v));
@@ -95,13 +98,15 @@ std::vector<Group> candidates(const MatrixXd &coefficients, std::span<const std:
 }
 
 /// Joins the two that gain most by it, again and again; a group that was joined to another is left without components.
-void joinPairs(std::vector<Group> &groups, double rows, double step)
+void joinPairs(std::vector<Group> &groups, double rows, double step, const Progress &progress)
 {
     for (Group &group : groups)
         group.bits = bitsOf(group.moment, group.vertices, rows, step);
     const Index count = Index(groups.size());
     MatrixXd gains = MatrixXd::Constant(count, count, -HUGE_VAL);
     const auto weigh = [&](std::size_t i, std::size_t j) {
+        if (progress.isCancelled())
+            return;
         const Group &a = groups[i], &b = groups[j];
         gains(Index(std::min(i, j)), Index(std::max(i, j))) =
             a.bits + b.bits - bitsOf(a.moment + b.moment, a.vertices + b.vertices, rows, step);
@@ -192,11 +197,13 @@ CoarseToFine restrictedTo(const CoarseToFine &nodes, std::span<const std::uint32
     return result;
 }
 
-Clusters clustersOf(const MatrixXd &coefficients, std::span<const std::uint32_t> components, std::size_t rows,
-                    double step)
+Result<Clusters> clustersOf(const MatrixXd &coefficients, std::span<const std::uint32_t> components, std::size_t rows,
+                            double step, const Progress &progress)
 {
-    std::vector<Group> groups = candidates(coefficients, components);
-    joinPairs(groups, double(rows), step);
+    std::vector<Group> groups = candidates(coefficients, components, progress);
+    joinPairs(groups, double(rows), step, progress);
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
 
     Clusters result{0, {}};
     std::vector<const Group *> groupOf;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/error.h"
+#include "model/base/progress.h"
 #include "model/codec/entropy/rangecoder.h"
 #include "model/codec/reel/coarsetofine.h"
 
@@ -78,8 +80,8 @@ bool codeClusters(Coder &coder, Clusters &clusters, std::size_t components)
 /// \param components    #V: the component of each column
 /// \param rows          entries of a trajectory, 3F
 /// \param step          of coefficients
-/// \returns             clusters that are numbered as their first components come
-Clusters clustersOf(const Eigen::MatrixXd &coefficients, std::span<const std::uint32_t> components, std::size_t rows,
-                    double step);
+/// \returns             clusters that are numbered as their first components come. \error Cancelled
+Result<Clusters> clustersOf(const Eigen::MatrixXd &coefficients, std::span<const std::uint32_t> components,
+                            std::size_t rows, double step, const Progress &progress);
 
 } // namespace model::codec

@@ -49,8 +49,8 @@ struct KnownSource
 
 } // namespace
 
-EncodedAnimation assembleReel(const FrameSource &source, const ReelEncoder &encoder, const ReelChoice &choice,
-                              bool keepOrder)
+Result<EncodedAnimation> assembleReel(const FrameSource &source, const ReelEncoder &encoder, const ReelChoice &choice,
+                                      bool keepOrder, const Progress &progress)
 {
     const EncodedConnectivity &connectivity = encoder.connectivity();
     const Header header = headerOf(source, CodecId::Reel);
@@ -59,12 +59,17 @@ EncodedAnimation assembleReel(const FrameSource &source, const ReelEncoder &enco
     std::vector<Point> places;
     std::vector<double> means;
     RangeEncoder shape, bands;
-    codeShape(KnownResiduals{shape, choice.shape.data()}, KnownResiduals{shape, choice.means.data()}, nodes,
-              choice.parameters, places, means, [] { return true; });
+    if (!codeShape(KnownResiduals{shape, choice.shape.data()}, KnownResiduals{shape, choice.means.data()}, nodes,
+                   choice.parameters, places, means, [&] { return !progress.isCancelled(); }))
+        return fail(ErrorCode::Cancelled);
     TrajectoryWalk walk(nodes, choice.clusters, choice.parameters, places);
     KnownSource known{bands, choice};
-    while (walk.done() < choice.parameters.basisSize)
+    while (walk.done() < choice.parameters.basisSize) {
+        if (progress.isCancelled())
+            return fail(ErrorCode::Cancelled);
         walk.next(known);
+        progress.report(double(walk.done()) / double(choice.parameters.basisSize));
+    }
 
     ContainerWriter writer(header);
     writer.chunk(ReelParametersTag, reelParametersPayload(choice.parameters, header));
@@ -82,7 +87,7 @@ EncodedAnimation assembleReel(const FrameSource &source, const ReelEncoder &enco
     }
     writer.chunk(ReelShapeTag, shape.finish());
     writer.chunk(ReelBandsTag, bands.finish());
-    return {writer.finish(), std::move(permutation)};
+    return EncodedAnimation{writer.finish(), std::move(permutation)};
 }
 
 Result<EncodedAnimation> encodeReel(const FrameSource &source, const ReelSettings &settings, bool keepOrder,
@@ -100,9 +105,7 @@ Result<EncodedAnimation> encodeReel(const FrameSource &source, const ReelSetting
     const Result<ReelChoice> choice = encoder->choose(settings, progress.part(0.3, 0.9));
     if (!choice)
         return fail(choice.error());
-    EncodedAnimation encoded = assembleReel(source, *encoder, *choice, keepOrder);
-    progress.report(1);
-    return encoded;
+    return assembleReel(source, *encoder, *choice, keepOrder, progress.part(0.9, 1));
 }
 
 Result<std::shared_ptr<const DecodedAnimation>> decodeReel(Bytes file, const Container &container,

@@ -15,9 +15,9 @@ Result<EncodedAnimation> encodeReel(const FrameSource &source, const ReelSetting
 Result<std::shared_ptr<const DecodedAnimation>> decodeReel(Bytes file, const Container &container,
                                                            const DecodeLimits &limits, const Progress &progress);
 
-/// The file of what an encoder of `source` chose.
-EncodedAnimation assembleReel(const FrameSource &source, const ReelEncoder &encoder, const ReelChoice &choice,
-                              bool keepOrder);
+/// The file of what an encoder of `source` chose. \error Cancelled
+Result<EncodedAnimation> assembleReel(const FrameSource &source, const ReelEncoder &encoder, const ReelChoice &choice,
+                                      bool keepOrder, const Progress &progress);
 
 /// Trials of `reel`: one family, from coarse to fine steps.
 Result<std::unique_ptr<TrialEncoder>> prepareReelTrials(const FrameSource &source, const Progress &progress);

@@ -225,7 +225,7 @@ Result<Clusters> ReelEncoder::findClusters(const ReelChoice &whole, const Progre
     std::vector<std::uint32_t> ofColumns(mComponents.size());
     for (std::size_t node = 0; node < mComponents.size(); ++node)
         ofColumns[mWhole.columns[node]] = mComponents[node];
-    return clustersOf(*coefficients, ofColumns, mFrames->rowCount(), whole.parameters.step);
+    return clustersOf(*coefficients, ofColumns, mFrames->rowCount(), whole.parameters.step, progress);
 }
 
 Result<void> ReelEncoder::split(const Clusters &clusters, const Progress &progress)
@@ -314,17 +314,16 @@ Result<ReelChoice> ReelEncoder::chooseFor(std::span<Part *const> parts, const Cl
         return own;
     };
 
-    const auto tooLarge = [&](const char *what) {
-        return fail(ErrorCode::LimitExceeded, std::string(what) + " in steps", std::to_string(MaxResidual),
-                    std::to_string(MaxResidual));
+    const auto stopped = [&](const char *what) {
+        return progress.isCancelled() ? fail(ErrorCode::Cancelled)
+                                      : fail(ErrorCode::LimitExceeded, std::string(what) + " in steps",
+                                             std::to_string(MaxResidual), std::to_string(MaxResidual));
     };
     MatrixXd shape;
     std::vector<Point> places;
     const bool shapeFits = chooseShape(choice, shape, places, progress);
-    if (progress.isCancelled())
-        return fail(ErrorCode::Cancelled);
     if (!shapeFits)
-        return tooLarge("position");
+        return stopped("position");
     progress.report(0.3);
     std::vector<MatrixXd> shapes(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -336,8 +335,8 @@ Result<ReelChoice> ReelEncoder::chooseFor(std::span<Part *const> parts, const Cl
     // The trajectories, the coefficients that fit them best as they were decoded, and once more the trajectories that
     // fit those best: 2 - 3 % of the size.
     MatrixXd basis;
-    if (chooseBasis(choice, wantedBasis, basis) < 0)
-        return tooLarge("basis");
+    if (chooseBasis(choice, wantedBasis, basis, progress.part(0.3, 0.3)) < 0)
+        return stopped("basis");
     std::vector<MatrixXd> wanted(parts.size()), coefficients;
     for (std::uint32_t i = 0; i < parts.size(); ++i) {
         const MatrixXd own = partOf(basis, i);
@@ -348,10 +347,8 @@ Result<ReelChoice> ReelEncoder::chooseFor(std::span<Part *const> parts, const Cl
     }
     const double coefficientBits =
         chooseCoefficients(choice, parts, wanted, places, coefficients, progress.part(0.4, 0.8));
-    if (progress.isCancelled())
-        return fail(ErrorCode::Cancelled);
     if (coefficientBits < 0)
-        return tooLarge("coefficient");
+        return stopped("coefficient");
     std::vector<MatrixXd> correlations(parts.size());
     for (std::uint32_t i = 0; i < parts.size(); ++i) {
         Result<MatrixXd> correlated =
@@ -364,9 +361,9 @@ Result<ReelChoice> ReelEncoder::chooseFor(std::span<Part *const> parts, const Cl
             if (choice.labels[std::size_t(k)] == i)
                 wantedBasis.col(k) = refitted.col(from++);
     }
-    const double basisBits = chooseBasis(choice, wantedBasis, basis);
+    const double basisBits = chooseBasis(choice, wantedBasis, basis, progress.part(0.95, 1));
     if (basisBits < 0)
-        return tooLarge("basis");
+        return stopped("basis");
     choice.bits = basisBits + coefficientBits;
 
     // What is left in the mean over the vertices, the mean vertices can take.
@@ -380,7 +377,7 @@ Result<ReelChoice> ReelEncoder::chooseFor(std::span<Part *const> parts, const Cl
     }
     left /= -vertices;
     if (!chooseMeans(choice, left))
-        return tooLarge("position");
+        return stopped("position");
     choice.squaredError += std::max(0.0, squares - vertices * left.squaredNorm());
     progress.report(1);
     return choice;
@@ -440,7 +437,8 @@ bool ReelEncoder::chooseMeans(ReelChoice &choice, const Eigen::VectorXd &left) c
     return !chooser.exceeded();
 }
 
-double ReelEncoder::chooseBasis(ReelChoice &choice, const MatrixXd &wanted, MatrixXd &decoded) const
+double ReelEncoder::chooseBasis(ReelChoice &choice, const MatrixXd &wanted, MatrixXd &decoded,
+                                const Progress &progress) const
 {
     const std::size_t rank = choice.parameters.basisSize;
     Chooser chooser(BitPrice);
@@ -450,6 +448,8 @@ double ReelEncoder::chooseBasis(ReelChoice &choice, const MatrixXd &wanted, Matr
     choice.basis.clear();
     decoded.resize(wanted.rows(), wanted.cols());
     for (std::size_t band = 0; band < 3 * rank; ++band) {
+        if (progress.isCancelled())
+            return -1;
         const Index k = Index(band / 3), axis = Index(band % 3);
         const double step = stepOfExponent(choice.stepExponents[band / 3]);
         coder.nextBand([&](BandCoder::Model &model, const auto &contexts, std::size_t set, std::uint32_t node,

@@ -77,7 +77,8 @@ private:
     /// \param left  #3F: to be added to the means
     bool chooseMeans(ReelChoice &choice, const Eigen::VectorXd &left) const;
     /// \param wanted  #3F x #K. \returns  bits; a negative number: a value is too large
-    double chooseBasis(ReelChoice &choice, const Eigen::MatrixXd &wanted, Eigen::MatrixXd &decoded) const;
+    double chooseBasis(ReelChoice &choice, const Eigen::MatrixXd &wanted, Eigen::MatrixXd &decoded,
+                       const Progress &progress) const;
     /// \param wanted  of each part its trajectories x its columns. \returns  as chooseBasis()
     double chooseCoefficients(ReelChoice &choice, std::span<Part *const> parts, std::span<const Eigen::MatrixXd> wanted,
                               const std::vector<Point> &places, std::vector<Eigen::MatrixXd> &decoded,

@@ -28,19 +28,22 @@ public:
 
     Result<Trial> attempt(const CodecSettings &settings, const Progress &progress) override
     {
-        const Result<ReelChoice> choice = mEncoder.choose(std::get<ReelSettings>(settings), progress);
+        const Result<ReelChoice> choice = mEncoder.choose(std::get<ReelSettings>(settings), progress.part(0, 0.8));
         if (!choice)
             return fail(choice.error());
-        return Trial{settings, assembleReel(mSource, mEncoder, *choice, false).bytes.size(),
-                     kgErrorOf(choice->squaredError, mEncoder.energy())};
+        const Result<EncodedAnimation> file = assembleReel(mSource, mEncoder, *choice, false, progress.part(0.8, 1));
+        if (!file)
+            return fail(file.error());
+        return Trial{settings, file->bytes.size(), kgErrorOf(choice->squaredError, mEncoder.energy())};
     }
 
     Result<EncodedAnimation> encode(const CompressionSettings &settings, const Progress &progress) override
     {
-        const Result<ReelChoice> choice = mEncoder.choose(std::get<ReelSettings>(settings.method), progress);
+        const Result<ReelChoice> choice =
+            mEncoder.choose(std::get<ReelSettings>(settings.method), progress.part(0, 0.8));
         if (!choice)
             return fail(choice.error());
-        return assembleReel(mSource, mEncoder, *choice, settings.keepOrder);
+        return assembleReel(mSource, mEncoder, *choice, settings.keepOrder, progress.part(0.8, 1));
     }
 
 private:

@@ -101,11 +101,11 @@ private slots:
     {
         // 0 and 2 move along the same trajectories, 1 along others.
         const Eigen::MatrixXd apart = moving({{0, 1, 2}, {5, 6, 7}, {0, 1, 2}}, 10);
-        QVERIFY(clustersOf(apart, componentsOfFifty(3), 30, 0.1) == (Clusters{2, {0, 1, 0}}));
+        QVERIFY(*clustersOf(apart, componentsOfFifty(3), 30, 0.1, Progress()) == (Clusters{2, {0, 1, 0}}));
         // Too little to be worth trajectories of its own.
-        QVERIFY(clustersOf(apart, componentsOfFifty(3), 30, 1000) == (Clusters{1, {0, 0, 0}}));
+        QVERIFY(*clustersOf(apart, componentsOfFifty(3), 30, 1000, Progress()) == (Clusters{1, {0, 0, 0}}));
         const Eigen::MatrixXd alike = moving({{0, 1, 2}, {0, 1, 2}, {0, 1, 2}}, 10);
-        QVERIFY(clustersOf(alike, componentsOfFifty(3), 30, 0.1) == (Clusters{1, {0, 0, 0}}));
+        QVERIFY(*clustersOf(alike, componentsOfFifty(3), 30, 0.1, Progress()) == (Clusters{1, {0, 0, 0}}));
     }
 
     void familiesThatOverlapStayApart()
@@ -117,7 +117,7 @@ private slots:
             bases.insert(bases.end(), std::size_t(others), {2, 3});
             std::vector<std::uint32_t> expected(std::size_t(own), 0);
             expected.insert(expected.end(), std::size_t(others), 1);
-            QVERIFY(clustersOf(moving(bases, size), componentsOfFifty(bases.size()), 80, 0.1) ==
+            QVERIFY(*clustersOf(moving(bases, size), componentsOfFifty(bases.size()), 80, 0.1, Progress()) ==
                     (Clusters{2, expected}));
         }
     }
@@ -127,7 +127,7 @@ private slots:
         // What moves most is not the first component.
         Eigen::MatrixXd coefficients = moving({{0, 1}, {2, 3}, {4, 5}, {2, 3}}, 10);
         coefficients.rightCols(50) *= 5;
-        QVERIFY(clustersOf(coefficients, componentsOfFifty(4), 12, 0.1) == (Clusters{3, {0, 1, 2, 1}}));
+        QVERIFY(*clustersOf(coefficients, componentsOfFifty(4), 12, 0.1, Progress()) == (Clusters{3, {0, 1, 2, 1}}));
     }
 
     void manyComponentsJoinFewGroups()
@@ -135,7 +135,7 @@ private slots:
         std::vector<std::vector<int>> bases;
         for (int c = 0; c < 90; ++c)
             bases.push_back({c % 4, 4 + c % 4});
-        const Clusters clusters = clustersOf(moving(bases, 10), componentsOfFifty(90), 30, 0.1);
+        const Clusters clusters = *clustersOf(moving(bases, 10), componentsOfFifty(90), 30, 0.1, Progress());
         QCOMPARE(clusters.count, 4u);
         for (std::size_t c = 0; c < 90; ++c)
             QCOMPARE(clusters.labels[c], std::uint32_t(c % 4));
