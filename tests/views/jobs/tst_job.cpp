@@ -38,6 +38,23 @@ class TestJob final : public QObject
     Q_OBJECT
 
 private slots:
+    void whatWasReportedLastIsToldBeforeTheEnd()
+    {
+        // Work that ends at once never meets the timer that looks at its progress.
+        Job job;
+        QList<double> told;
+        connect(&job, &Job::progressed, this, [&](double fraction) { told << fraction; });
+        QList<double> toldAtEnd;
+        job.start(
+            [](const Progress &progress) -> Result<int> {
+                progress.report(1);
+                return 1;
+            },
+            [&](Result<int>) { toldAtEnd = told; });
+        QTRY_VERIFY(!job.isRunning());
+        QCOMPARE(toldAtEnd.value(toldAtEnd.size() - 1, -1), 1.0);
+    }
+
     void resultArrivesInTheThreadOfTheJob()
     {
         Job job;
