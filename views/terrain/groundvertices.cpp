@@ -93,25 +93,34 @@ std::uint32_t GroundVertexMaker::topLayer(const TinArrays &tin, VertexId v)
     return tin.layerCount();
 }
 
-GroundVertex GroundVertexMaker::make(VertexId v) const
+model::Vec3f GroundVertexMaker::position(VertexId v) const
 {
     const TinArrays &tin = mTerrain.tin.arrays();
-    GroundVertex vertex;
-    if (!tin.isVertex(v))
-        return vertex;
-    vertex.position = mFrame.toScene(tin.points[v].x, tin.points[v].y, tin.heights[v]);
-    const Point3 normal = normalAt(tin, v);
-    vertex.normalX = std::int16_t(std::lround(normal.x * 32767));
-    vertex.normalZ = std::int16_t(std::lround(-normal.y * 32767));
+    return mFrame.toScene(tin.points[v].x, tin.points[v].y, tin.heights[v]);
+}
+
+GroundPlace GroundVertexMaker::place(VertexId v) const
+{
+    const model::Vec3f p = position(v);
+    return {p.x, p.z};
+}
+
+GroundHeight GroundVertexMaker::height(VertexId v) const
+{
+    const Point3 normal = normalAt(mTerrain.tin.arrays(), v);
+    return {position(v).y, std::int16_t(std::lround(normal.x * 32767)), std::int16_t(std::lround(-normal.y * 32767))};
+}
+
+GroundPaint GroundVertexMaker::paint(VertexId v) const
+{
+    const TinArrays &tin = mTerrain.tin.arrays();
     const std::uint32_t layer = topLayer(tin, v);
     const QColor &color = mColors[std::min<std::size_t>(layer, mColors.size() - 1)];
-    vertex.red = std::uint8_t(color.red());
-    vertex.green = std::uint8_t(color.green());
-    vertex.blue = std::uint8_t(color.blue());
+    GroundPaint paint{std::uint8_t(color.red()), std::uint8_t(color.green()), std::uint8_t(color.blue()), 0};
     if (layer < tin.layerCount())
-        vertex.humidity =
+        paint.humidity =
             std::uint8_t(std::lround(std::clamp(tin.humidities[tin.layerSlot(v, layer)], 0.0f, 1.0f) * 255));
-    return vertex;
+    return paint;
 }
 
 } // namespace views

@@ -10,15 +10,27 @@
 
 namespace views {
 
-/// A vertex as the GPU has it.
-struct GroundVertex
+// A vertex as the GPU has it, in three arrays: most edits change but one or two of them.
+
+/// Where it is on the map, in the scene; see GroundFrame.
+struct GroundPlace
 {
-    model::Vec3f position;                     ///< in the scene, see GroundFrame
-    std::int16_t normalX = 0, normalZ = 0;     ///< of the unit normal, x 32767; y is what is missing to 1
-    std::uint8_t red = 0, green = 0, blue = 0; ///< of the dry top layer, sRGB
-    std::uint8_t humidity = 0;                 ///< of the top layer, x 255
+    float x = 0, z = 0;
 };
-static_assert(sizeof(GroundVertex) == 20);
+/// Its height and its unit normal.
+struct GroundHeight
+{
+    float y = 0;
+    std::int16_t normalX = 0, normalZ = 0; ///< x 32767; y is what is missing to 1
+};
+/// What the top layer looks like dry, sRGB, and its humidity x 255.
+struct GroundPaint
+{
+    std::uint8_t red = 0, green = 0, blue = 0, humidity = 0;
+
+    friend bool operator==(const GroundPaint &, const GroundPaint &) = default;
+};
+static_assert(sizeof(GroundPlace) == 8 && sizeof(GroundHeight) == 8 && sizeof(GroundPaint) == 4);
 
 /// What a material looks like dry; told by its name if that is a preset's, else by what its parameters come nearest to.
 QColor colorOf(const model::terrain::Material &material);
@@ -38,8 +50,11 @@ public:
 
     /// The colours are made anew, after the list of materials or that of layers changed.
     void updateColors();
-    /// A free slot becomes a point in the middle.
-    GroundVertex make(model::terrain::VertexId v) const;
+    // Of a vertex that is there.
+    GroundPlace place(model::terrain::VertexId v) const;
+    GroundHeight height(model::terrain::VertexId v) const;
+    GroundPaint paint(model::terrain::VertexId v) const;
+    model::Vec3f position(model::terrain::VertexId v) const;
     /// The layer that lies open at a vertex; layerCount() where the bedrock does.
     static std::uint32_t topLayer(const model::terrain::TinArrays &tin, model::terrain::VertexId v);
 

@@ -4,7 +4,10 @@
 #include <QElapsedTimer>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstring>
+#include <limits>
 
 namespace views {
 
@@ -13,7 +16,7 @@ using namespace model::terrain;
 namespace {
 
 /// Clean slots that are sent along rather than begin another call.
-constexpr std::uint32_t VertexGap = 6, TriangleGap = 10;
+constexpr std::uint32_t HeightGap = 4, PaintGap = 8, TriangleGap = 3;
 /// Slots sent between two looks at the clock.
 constexpr std::uint32_t Portion = 4096;
 /// Room for what strokes and erosion will add, as a share.
@@ -26,7 +29,6 @@ constexpr double LargeShare = 0.25;
 TerrainBuffers::TerrainBuffers(QOpenGLFunctions_3_3_Core &gl, const Terrain &terrain, const GroundFrame &frame)
     : mGl(gl)
     , mTerrain(terrain)
-    , mFrame(frame)
     , mMaker(terrain, frame)
 {
     mGl.glGenBuffers(BufferCount, mBuffers);
@@ -46,9 +48,10 @@ void TerrainBuffers::note(const Edit &edit)
             for (std::uint32_t i = 0; i < range.count; ++i)
                 dirty.add(range.first + i);
     };
-    add(TinPart::Points, mMoved);
-    add(TinPart::Heights, mMoved);
-    add(TinPart::Layers, mRepainted);
+    add(TinPart::Points, mPlaced);
+    add(TinPart::Points, mRaised);
+    add(TinPart::Heights, mRaised);
+    add(TinPart::Layers, mPainted);
     add(TinPart::Triangles, mTriangles);
 }
 
@@ -57,22 +60,20 @@ void TerrainBuffers::noteAll()
     mMaker.updateColors();
     mIsWhole = true;
     mNextVertex = 0;
-    mMoved.take(0, 0);
-    mRepainted.take(0, 0);
+    for (DirtySlots *dirty : {&mPlaced, &mRaised, &mTurned, &mPainted})
+        dirty->take(0, 0);
 }
 
 void TerrainBuffers::setScalar(std::function<float(VertexId)> scalar)
 {
     mScalar = std::move(scalar);
-    mScalarCapacity = 0;
-    if (mVertexCapacity > 0)
-        describeArrays();
+    mLowestScalar = mHighestScalar = 0;
     noteAll();
 }
 
-bool TerrainBuffers::grow(Buffer buffer, std::size_t used, std::size_t wanted, std::size_t slotBytes,
-                          std::size_t &capacity)
+bool TerrainBuffers::grow(Buffer buffer, std::size_t wanted, std::size_t slotBytes)
 {
+    std::size_t &capacity = mCapacities[buffer];
     if (wanted <= capacity)
         return false;
     const std::size_t next = wanted + std::size_t(double(wanted) * Headroom) + 1024;
@@ -80,9 +81,9 @@ bool TerrainBuffers::grow(Buffer buffer, std::size_t used, std::size_t wanted, s
     mGl.glGenBuffers(1, &grown);
     mGl.glBindBuffer(GL_COPY_WRITE_BUFFER, grown);
     mGl.glBufferData(GL_COPY_WRITE_BUFFER, GLsizeiptr(next * slotBytes), nullptr, GL_DYNAMIC_DRAW);
-    if (const std::size_t kept = std::min(used, capacity)) { // from GPU to GPU
+    if (capacity > 0) { // from GPU to GPU
         mGl.glBindBuffer(GL_COPY_READ_BUFFER, mBuffers[buffer]);
-        mGl.glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, GLsizeiptr(kept * slotBytes));
+        mGl.glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, GLsizeiptr(capacity * slotBytes));
     }
     mGl.glDeleteBuffers(1, &mBuffers[buffer]);
     mBuffers[buffer] = grown;
@@ -92,136 +93,205 @@ bool TerrainBuffers::grow(Buffer buffer, std::size_t used, std::size_t wanted, s
 
 void TerrainBuffers::makeRoom()
 {
-    const bool grewVertices = grow(Vertices, mVertexCapacity, vertexSlots(), sizeof(GroundVertex), mVertexCapacity);
-    const bool grewScalars = mScalar && grow(Scalars, mScalarCapacity, vertexSlots(), sizeof(float), mScalarCapacity);
-    const bool grewTriangles =
-        grow(Triangles, mTriangleCapacity, triangleSlots(), 3 * sizeof(std::uint32_t), mTriangleCapacity);
-    if (grewVertices || grewScalars || grewTriangles)
+    bool hasGrown = grow(Places, vertexSlots(), sizeof(GroundPlace));
+    hasGrown |= grow(Heights, vertexSlots(), sizeof(GroundHeight));
+    hasGrown |= grow(Paints, vertexSlots(), sizeof(GroundPaint));
+    hasGrown |= mScalar && grow(Scalars, vertexSlots(), sizeof(float));
+    hasGrown |= grow(Triangles, triangleSlots(), 3 * sizeof(std::uint32_t));
+    if (hasGrown)
         describeArrays();
+    mPaint.resize(vertexSlots());
     mBoxes.resize((triangleSlots() + ChunkSize - 1) / ChunkSize);
 }
 
 void TerrainBuffers::describeArrays()
 {
-    constexpr GLsizei Stride = sizeof(GroundVertex);
-    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void *>(bytes); };
-    for (const auto &[array, indices] : {std::pair(TriangleArray, Triangles), std::pair(OtherArray, Others)}) {
+    const struct
+    {
+        Buffer buffer;
+        GLint count;
+        GLenum type;
+        GLboolean isShare;
+        std::size_t stride, offset;
+    } attributes[] = {
+        {Places, 2, GL_FLOAT, GL_FALSE, sizeof(GroundPlace), 0},
+        {Heights, 1, GL_FLOAT, GL_FALSE, sizeof(GroundHeight), offsetof(GroundHeight, y)},
+        {Heights, 2, GL_SHORT, GL_TRUE, sizeof(GroundHeight), offsetof(GroundHeight, normalX)},
+        {Paints, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(GroundPaint), 0},
+        {Scalars, 1, GL_FLOAT, GL_FALSE, sizeof(float), 0},
+    };
+    for (const auto &[array, indices] : {std::pair(TriangleArray, Triangles), std::pair(ExtraLineArray, ExtraLines),
+                                         std::pair(ExtraTriangleArray, ExtraTriangles)}) {
         mGl.glBindVertexArray(mArrays[array]);
         mGl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mBuffers[indices]);
-        mGl.glBindBuffer(GL_ARRAY_BUFFER, mBuffers[Vertices]);
-        mGl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, Stride, offset(offsetof(GroundVertex, position)));
-        mGl.glVertexAttribPointer(1, 2, GL_SHORT, GL_TRUE, Stride, offset(offsetof(GroundVertex, normalX)));
-        mGl.glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, Stride, offset(offsetof(GroundVertex, red)));
-        for (GLuint location = 0; location < 3; ++location)
-            mGl.glEnableVertexAttribArray(location);
-        if (mScalarCapacity > 0) {
-            mGl.glBindBuffer(GL_ARRAY_BUFFER, mBuffers[Scalars]);
-            mGl.glVertexAttribPointer(3, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
-            mGl.glEnableVertexAttribArray(3);
-        } else {
-            mGl.glDisableVertexAttribArray(3);
+        GLuint location = 0;
+        for (const auto &[buffer, count, type, isShare, stride, offset] : attributes) {
+            if (mCapacities[buffer] > 0) { // nothing may be read from a buffer that was never filled
+                mGl.glBindBuffer(GL_ARRAY_BUFFER, mBuffers[buffer]);
+                mGl.glVertexAttribPointer(location, count, type, isShare, GLsizei(stride),
+                                          reinterpret_cast<const void *>(offset));
+                mGl.glEnableVertexAttribArray(location);
+            }
+            ++location;
         }
     }
     mGl.glBindVertexArray(0);
 }
 
-void TerrainBuffers::send(Buffer buffer, std::size_t offset, const void *data, std::size_t bytes)
+template <class Value, class Make>
+void TerrainBuffers::send(Buffer buffer, SlotRange range, Make make)
 {
+    const std::size_t bytes = range.count * sizeof(Value);
+    mStaging.resize(bytes);
+    for (std::uint32_t i = 0; i < range.count; ++i) {
+        const Value value = make(range.first + i);
+        std::memcpy(mStaging.data() + i * sizeof(Value), &value, sizeof(Value));
+    }
     mGl.glBindBuffer(GL_COPY_WRITE_BUFFER, mBuffers[buffer]);
-    mGl.glBufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(offset), GLsizeiptr(bytes), data);
+    mGl.glBufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(range.first * sizeof(Value)), GLsizeiptr(bytes),
+                        mStaging.data());
     mCount.total += bytes;
     mCount.last += bytes;
 }
 
-void TerrainBuffers::sendVertices(SlotRange range)
+void TerrainBuffers::sendScalars(SlotRange range)
 {
-    mStaging.resize(range.count);
-    for (std::uint32_t i = 0; i < range.count; ++i) {
-        const VertexId v = range.first + i;
-        mStaging[i] = mMaker.make(v);
-        if (tin().isVertex(v))
-            mChangedBox.add(mStaging[i].position);
-    }
-    send(Vertices, range.first * sizeof(GroundVertex), mStaging.data(), mStaging.size() * sizeof(GroundVertex));
-    if (!mScalar)
-        return;
-    mScalarStaging.resize(range.count);
-    for (std::uint32_t i = 0; i < range.count; ++i)
-        mScalarStaging[i] = tin().isVertex(range.first + i) ? mScalar(range.first + i) : 0;
-    send(Scalars, range.first * sizeof(float), mScalarStaging.data(), mScalarStaging.size() * sizeof(float));
+    send<float>(Scalars, range, [&](VertexId v) {
+        const float number = tin().isVertex(v) ? mScalar(v) : 0;
+        mLowestScalar = std::min(mLowestScalar, number);
+        mHighestScalar = std::max(mHighestScalar, number);
+        return number;
+    });
+}
+
+void TerrainBuffers::sendAll(SlotRange range)
+{
+    const auto orNothing = [&](auto make) {
+        return
+            [this, make](VertexId v) { return tin().isVertex(v) ? (mMaker.*make)(v) : decltype((mMaker.*make)(v)){}; };
+    };
+    send<GroundPlace>(Places, range, orNothing(&GroundVertexMaker::place));
+    send<GroundHeight>(Heights, range, orNothing(&GroundVertexMaker::height));
+    send<GroundPaint>(Paints, range,
+                      [&](VertexId v) { return mPaint[v] = tin().isVertex(v) ? mMaker.paint(v) : GroundPaint{}; });
+    if (mScalar)
+        sendScalars(range);
+}
+
+void TerrainBuffers::sendPaint(const std::vector<SlotRange> &ranges)
+{
+    DirtySlots different;
+    for (const SlotRange &range : ranges)
+        for (VertexId v = range.first; v < range.first + range.count; ++v) {
+            if (!tin().isVertex(v))
+                continue;
+            const GroundPaint paint = mMaker.paint(v);
+            if (paint == mPaint[v])
+                continue;
+            mPaint[v] = paint;
+            mChangedBox.add(mMaker.position(v));
+            different.add(v);
+        }
+    for (const SlotRange &range : different.take(None, PaintGap))
+        send<GroundPaint>(Paints, range, [&](VertexId v) { return mPaint[v]; });
 }
 
 void TerrainBuffers::sendTriangles(SlotRange range)
 {
-    mIndexStaging.resize(3 * std::size_t(range.count));
-    for (std::uint32_t i = 0; i < range.count; ++i) {
-        const TriangleId t = range.first + i;
-        const bool isDrawn = tin().isTriangle(t) && !tin().isVoid(t);
-        model::Box3f &box = mBoxes[t / ChunkSize];
+    using Indices = std::array<std::uint32_t, 3>;
+    send<Indices>(Triangles, range, [&](TriangleId t) {
+        Indices indices{};
+        if (!tin().isTriangle(t) || tin().isVoid(t))
+            return indices;
         for (std::uint32_t k = 0; k < 3; ++k) {
-            const VertexId v = isDrawn ? tin().vertex(cornerOf(t, k)) : 0;
-            mIndexStaging[3 * i + k] = v;
-            if (isDrawn)
-                box.add(mFrame.toScene(tin().points[v].x, tin().points[v].y, tin().heights[v]));
+            indices[k] = tin().vertex(cornerOf(t, k));
+            mBoxes[t / ChunkSize].add(mMaker.position(indices[k]));
         }
-    }
-    mBox.add(mBoxes[range.first / ChunkSize]);
-    mBox.add(mBoxes[(range.first + range.count - 1) / ChunkSize]);
-    send(Triangles, range.first * 3 * sizeof(std::uint32_t), mIndexStaging.data(),
-         mIndexStaging.size() * sizeof(std::uint32_t));
-}
-
-void TerrainBuffers::addToBoxes(VertexId v, model::Vec3f position)
-{
-    mBox.add(position);
-    forEachCornerAround(tin(), v, [&](Corner c) { mBoxes[triangleOf(c) / ChunkSize].add(position); });
-}
-
-void TerrainBuffers::noteRing(VertexId v)
-{
-    mRepainted.add(v);
-    forEachCornerAround(tin(), v, [&](Corner c) {
-        mRepainted.add(tin().vertex(next(c)));
-        mRepainted.add(tin().vertex(previous(c)));
+        return indices;
     });
+    for (std::uint32_t chunk = range.first / ChunkSize; chunk <= (range.first + range.count - 1) / ChunkSize; ++chunk) {
+        mBox.add(mBoxes[chunk]);
+        noteHeights(mBoxes[chunk]);
+    }
+}
+
+void TerrainBuffers::noteHeights(const model::Box3f &chunk)
+{
+    mChangedLow = std::min(mChangedLow, chunk.min.y);
+    mChangedHigh = std::max(mChangedHigh, chunk.max.y);
+}
+
+void TerrainBuffers::addToBoxes(VertexId v)
+{
+    const model::Vec3f position = mMaker.position(v);
+    mBox.add(position);
+    forEachCornerAround(tin(), v, [&](Corner c) {
+        mBoxes[triangleOf(c) / ChunkSize].add(position);
+        noteHeights(mBoxes[triangleOf(c) / ChunkSize]);
+    });
+}
+
+void TerrainBuffers::sendNoted(std::uint32_t vertices, std::uint32_t triangles)
+{
+    // Other normals: around what moved, and at triangles that are new. Vertices that have gone need no sending.
+    for (const VertexId v : mRaised.all()) {
+        if (!tin().isVertex(v))
+            continue;
+        mTurned.add(v);
+        forEachCornerAround(tin(), v, [&](Corner c) {
+            mTurned.add(tin().vertex(next(c)));
+            mTurned.add(tin().vertex(previous(c)));
+        });
+        if (v < vertices)
+            addToBoxes(v);
+    }
+    for (const TriangleId t : mTriangles.all())
+        if (tin().isTriangle(t))
+            for (std::uint32_t k = 0; k < 3; ++k)
+                mTurned.add(tin().vertex(cornerOf(t, k)));
+    const std::vector<SlotRange> turned = mTurned.take(vertices, HeightGap);
+    for (const SlotRange &range : turned)
+        send<GroundHeight>(Heights, range, [&](VertexId v) {
+            if (!tin().isVertex(v))
+                return GroundHeight{};
+            mChangedBox.add(mMaker.position(v));
+            return mMaker.height(v);
+        });
+    for (const SlotRange &range : mPlaced.take(vertices, HeightGap))
+        send<GroundPlace>(Places, range,
+                          [&](VertexId v) { return tin().isVertex(v) ? mMaker.place(v) : GroundPlace{}; });
+    if (mScalar)
+        for (const SlotRange &range : mRaised.take(vertices, PaintGap))
+            sendScalars(range);
+    mRaised.take(0, 0);
+    sendPaint(mPainted.take(vertices, 0));
+    for (const SlotRange &range : mTriangles.take(triangles, TriangleGap))
+        sendTriangles(range);
+    if (!mChangedBox.isEmpty()) {
+        mChangedBox.min.y = std::min(mChangedBox.min.y, mChangedLow);
+        mChangedBox.max.y = std::max(mChangedBox.max.y, mChangedHigh);
+    }
 }
 
 bool TerrainBuffers::upload(double milliseconds)
 {
     const std::uint32_t vertices = vertexSlots(), triangles = triangleSlots();
     mChangedBox = {};
-    if (mMoved.count() + mRepainted.count() > LargeShare * vertices || mTriangles.count() > LargeShare * triangles) {
+    mChangedLow = std::numeric_limits<float>::max();
+    mChangedHigh = std::numeric_limits<float>::lowest();
+    if (mRaised.count() + mPainted.count() > LargeShare * vertices || mTriangles.count() > LargeShare * triangles) {
         noteAll();
-        if (mTriangles.count() > 0)
-            mNextTriangle = 0;
+        mNextTriangle = 0;
         mTriangles.take(0, 0);
     }
-    if (!mIsWhole && mMoved.count() + mRepainted.count() + mTriangles.count() == 0)
+    if (!mIsWhole && mRaised.count() + mPainted.count() + mTriangles.count() == 0)
         return false;
     mCount.last = 0;
     makeRoom();
-
-    for (const VertexId v : mMoved.all()) {
-        if (!tin().isVertex(v)) {
-            mRepainted.add(v);
-            continue;
-        }
-        noteRing(v);
-        if (v < mNextVertex)
-            addToBoxes(v, mFrame.toScene(tin().points[v].x, tin().points[v].y, tin().heights[v]));
-    }
-    mMoved.take(0, 0);
-    for (const TriangleId t : mTriangles.all())
-        if (tin().isTriangle(t) && !tin().isVoid(t))
-            for (std::uint32_t k = 0; k < 3; ++k)
-                mRepainted.add(tin().vertex(cornerOf(t, k)));
     mNextVertex = std::min(mNextVertex, vertices);
     mNextTriangle = std::min(mNextTriangle, triangles);
     // What a whole upload has not come to yet waits for it.
-    for (const SlotRange &range : mRepainted.take(mIsWhole ? mNextVertex : vertices, VertexGap))
-        sendVertices(range);
-    for (const SlotRange &range : mTriangles.take(mIsWhole ? mNextTriangle : triangles, TriangleGap))
-        sendTriangles(range);
+    sendNoted(mIsWhole ? mNextVertex : vertices, mIsWhole ? mNextTriangle : triangles);
     if (!mIsWhole) {
         mNextVertex = vertices;
         mNextTriangle = mDrawable = triangles;
@@ -232,7 +302,7 @@ bool TerrainBuffers::upload(double milliseconds)
     while (mNextVertex < vertices || mNextTriangle < triangles) {
         if (mNextVertex < vertices) {
             const std::uint32_t count = std::min(Portion, vertices - mNextVertex);
-            sendVertices({mNextVertex, count});
+            sendAll({mNextVertex, count});
             mNextVertex += count;
         } else {
             const std::uint32_t count = std::min(Portion, triangles - mNextTriangle);
@@ -271,21 +341,21 @@ void TerrainBuffers::draw(const std::function<bool(const model::Box3f &)> &isVis
     mGl.glBindVertexArray(0);
 }
 
-void TerrainBuffers::setIndices(const std::vector<std::uint32_t> &indices)
+void TerrainBuffers::setExtra(Extra extra, const std::vector<std::uint32_t> &indices)
 {
-    mIndexCount = GLsizei(indices.size());
-    mGl.glBindVertexArray(0);
-    mGl.glBindBuffer(GL_COPY_WRITE_BUFFER, mBuffers[Others]);
+    mExtraCounts[int(extra)] = GLsizei(indices.size());
+    mGl.glBindBuffer(GL_COPY_WRITE_BUFFER, mBuffers[extra == Extra::Lines ? ExtraLines : ExtraTriangles]);
     mGl.glBufferData(GL_COPY_WRITE_BUFFER, GLsizeiptr(indices.size() * sizeof(std::uint32_t)), indices.data(),
                      GL_DYNAMIC_DRAW);
 }
 
-void TerrainBuffers::drawIndices(GLenum mode)
+void TerrainBuffers::drawExtra(Extra extra)
 {
-    if (mIndexCount == 0 || mVertexCapacity == 0)
+    if (mExtraCounts[int(extra)] == 0 || mCapacities[Places] == 0)
         return;
-    mGl.glBindVertexArray(mArrays[OtherArray]);
-    mGl.glDrawElements(mode, mIndexCount, GL_UNSIGNED_INT, nullptr);
+    mGl.glBindVertexArray(mArrays[extra == Extra::Lines ? ExtraLineArray : ExtraTriangleArray]);
+    mGl.glDrawElements(extra == Extra::Lines ? GL_LINES : GL_TRIANGLES, mExtraCounts[int(extra)], GL_UNSIGNED_INT,
+                       nullptr);
     mGl.glBindVertexArray(0);
 }
 

@@ -43,54 +43,68 @@ public:
 
     /// The box around everything uploaded, in the scene.
     const model::Box3f &box() const { return mBox; }
-    /// What the last upload() changed; empty: nothing.
+    /// What the last upload() changed, as high and deep as the ground has ever been near there: what it was before is
+    /// in it. Empty: nothing.
     const model::Box3f &changedBox() const { return mChangedBox; }
 
     /// Draws the triangles of those chunks (ChunkSize slots each) whose box `isVisible`.
-    /// Attributes: 0 position, 1 normal x and z, 2 colour and humidity, 3 the number.
+    /// Attributes: 0 place (x, z), 1 height, 2 normal x and z, 3 colour and humidity, 4 the number.
     void draw(const std::function<bool(const model::Box3f &)> &isVisible);
-    /// Draws some triangles, or lines, by the numbers of their vertices; see setIndices().
-    void drawIndices(GLenum mode);
-    void setIndices(const std::vector<std::uint32_t> &indices);
+    /// Lines or triangles drawn besides, by the numbers of their vertices.
+    enum class Extra : std::uint8_t { Lines, Triangles };
+    void setExtra(Extra extra, const std::vector<std::uint32_t> &indices);
+    void drawExtra(Extra extra);
+
+    /// The smallest and the largest number of a vertex that was sent since setScalar().
+    float lowestScalar() const { return mLowestScalar; }
+    float highestScalar() const { return mHighestScalar; }
 
     static constexpr std::uint32_t ChunkSize = 4096;
 
 private:
-    enum Buffer { Vertices, Scalars, Triangles, Others, BufferCount };
-    enum VertexArray { TriangleArray, OtherArray, ArrayCount };
+    enum Buffer { Places, Heights, Paints, Scalars, Triangles, ExtraLines, ExtraTriangles, BufferCount };
+    enum VertexArray { TriangleArray, ExtraLineArray, ExtraTriangleArray, ArrayCount };
 
     const model::terrain::TinArrays &tin() const { return mTerrain.tin.arrays(); }
     std::uint32_t vertexSlots() const { return tin().vertexSlots(); }
     std::uint32_t triangleSlots() const { return tin().triangleSlots(); }
     void makeRoom();
-    bool grow(Buffer buffer, std::size_t used, std::size_t wanted, std::size_t slotBytes, std::size_t &capacity);
+    bool grow(Buffer buffer, std::size_t wanted, std::size_t slotBytes);
     void describeArrays();
-    void sendVertices(model::terrain::SlotRange range);
+    /// Sends `make(slot)` for each slot of a range.
+    template <class Value, class Make>
+    void send(Buffer buffer, model::terrain::SlotRange range, Make make);
+    void sendAll(model::terrain::SlotRange vertices);
+    void sendPaint(const std::vector<model::terrain::SlotRange> &ranges);
+    void sendScalars(model::terrain::SlotRange range);
     void sendTriangles(model::terrain::SlotRange range);
-    void send(Buffer buffer, std::size_t offset, const void *data, std::size_t bytes);
+    void sendNoted(std::uint32_t vertices, std::uint32_t triangles);
     void noteRing(model::terrain::VertexId v);
-    void addToBoxes(model::terrain::VertexId v, model::Vec3f position);
+    void addToBoxes(model::terrain::VertexId v);
+    void noteHeights(const model::Box3f &chunk);
 
     QOpenGLFunctions_3_3_Core &mGl;
     const model::terrain::Terrain &mTerrain;
-    const GroundFrame &mFrame;
     GroundVertexMaker mMaker;
     std::function<float(model::terrain::VertexId)> mScalar;
     GLuint mBuffers[BufferCount] = {};
     GLuint mArrays[ArrayCount] = {};
-    std::size_t mVertexCapacity = 0, mScalarCapacity = 0, mTriangleCapacity = 0; ///< slots
-    bool mIsWhole = true; ///< a whole terrain is being sent, and has come to these
+    std::size_t mCapacities[BufferCount] = {}; ///< slots
+    bool mIsWhole = true;                      ///< a whole terrain is being sent, and has come to these
     std::uint32_t mNextVertex = 0, mNextTriangle = 0;
     std::uint32_t mDrawable = 0; ///< triangle slots that are complete
-    GLsizei mIndexCount = 0;
-    DirtySlots mMoved;     ///< vertices: they, and the normals around them
-    DirtySlots mRepainted; ///< vertices: only they
+    GLsizei mExtraCounts[2] = {};
+    DirtySlots mPlaced;  ///< vertices with another place
+    DirtySlots mRaised;  ///< vertices with another place or height
+    DirtySlots mTurned;  ///< vertices whose height or normal is to be sent
+    DirtySlots mPainted; ///< vertices with other layers
     DirtySlots mTriangles;
     std::vector<model::Box3f> mBoxes; ///< of each chunk; they only grow
     model::Box3f mBox, mChangedBox;
-    std::vector<GroundVertex> mStaging;
-    std::vector<float> mScalarStaging;
-    std::vector<std::uint32_t> mIndexStaging;
+    float mChangedLow = 0, mChangedHigh = 0; ///< of the chunks that the last upload() touched
+    std::vector<GroundPaint> mPaint;         ///< of each slot, as it was sent: it seldom changes
+    std::vector<std::uint8_t> mStaging;
+    float mLowestScalar = 0, mHighestScalar = 0;
     UploadCount mCount;
 };
 

@@ -2,6 +2,7 @@
 #include "views/terrain/terrainviewport.h"
 
 #include "views/terrain/drapedlines.h"
+#include "views/terrain/groundlegend.h"
 #include "views/viewport/glsupport.h"
 
 #include <QFocusEvent>
@@ -24,6 +25,10 @@ namespace {
 constexpr int HardwareSamples = 4;
 /// Of a whole terrain, what is uploaded before each repaint: the window stays awake.
 constexpr double UploadMilliseconds = 12;
+/// Milliseconds between pictures of a terrain that is not all there yet.
+constexpr int LoadingPause = 400;
+/// Milliseconds without a change after which the processor draws the shadows anew.
+constexpr int ShadowPause = 180;
 
 QOpenGLFramebufferObjectFormat pictureFormat(int samples)
 {
@@ -41,6 +46,7 @@ TerrainViewport::TerrainViewport(const model::TerrainDocument &document, QWidget
     , mFrame(document.tin())
     , mControl(*this)
     , mDispatcher([this](QPointF place) { return groundAt(place); })
+    , mSamples(glSupport().isSoftware ? 0 : HardwareSamples)
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -53,6 +59,9 @@ TerrainViewport::TerrainViewport(const model::TerrainDocument &document, QWidget
     });
     connect(&mControl, &CameraControl::fitAsked, this, &TerrainViewport::fitView);
     connect(&mDocument, &model::TerrainDocument::changed, this, &TerrainViewport::documentChanged);
+    mShadowPause.setSingleShot(true);
+    mShadowPause.setInterval(ShadowPause);
+    connect(&mShadowPause, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     applyPalette();
     fitView();
 }
@@ -84,6 +93,22 @@ void TerrainViewport::setStyle(const TerrainStyle &style)
     mStyle = style;
     redraw();
     emit styleChanged();
+}
+
+void TerrainViewport::setReference(std::shared_ptr<const Terrain> reference)
+{
+    mReference = std::move(reference);
+    if (mRenderer)
+        mRenderer->setReference(mReference);
+    update();
+}
+
+void TerrainViewport::setActiveTriangles(std::vector<TriangleId> triangles)
+{
+    mActive = std::move(triangles);
+    mIsActiveStale = true;
+    if (mStyle.hasActiveTriangles)
+        update();
 }
 
 void TerrainViewport::redraw()
@@ -118,13 +143,15 @@ void TerrainViewport::documentChanged(const model::TerrainChange &change)
 {
     if (const auto *surface = std::get_if<model::SurfaceChanged>(&change)) {
         if (mRenderer)
-            mRenderer->buffers().note(*surface->edit);
+            mRenderer->note(*surface->edit);
     } else if (std::holds_alternative<model::MaterialsChanged>(change)) {
         if (mRenderer)
-            mRenderer->buffers().noteAll();
+            mRenderer->noteMaterials();
     } else {
         return;
     }
+    if (mSamples == 0)
+        mShadowPause.start();
     update(); // stale only once something was uploaded
 }
 
@@ -142,7 +169,8 @@ void TerrainViewport::initializeGL()
     const int side = std::min(texture, renderbuffer);
     mMaximumPictureSize = QSize(std::min(side, viewport[0]), std::min(side, viewport[1]));
     mRenderer = std::make_unique<TerrainRenderer>(*mGl, mDocument.terrain(), mFrame);
-    mIsStale = true;
+    mRenderer->setReference(mReference);
+    mIsStale = mIsActiveStale = true;
     if (!mRenderer->error().isEmpty())
         qCritical("Shader: %s", qUtf8Printable(mRenderer->error()));
 }
@@ -162,7 +190,9 @@ void TerrainViewport::paintGL()
 {
     if (!mRenderer)
         return;
-    mIsStale |= mRenderer->buffers().upload(UploadMilliseconds);
+    mRenderer->upload(mStyle, UploadMilliseconds);
+    if (mStyle.hasActiveTriangles && std::exchange(mIsActiveStale, false))
+        mRenderer->setActiveTriangles(mActive);
     drawPicture();
     drawOverlay();
     if (mRenderer->buffers().hasMore())
@@ -173,14 +203,27 @@ void TerrainViewport::drawPicture()
 {
     const QSize size = pixelSize();
     if (!mPicture || mPicture->size() != size) {
-        mPicture = std::make_unique<QOpenGLFramebufferObject>(
-            size, pictureFormat(glSupport().isSoftware ? 0 : HardwareSamples));
+        mPicture = std::make_unique<QOpenGLFramebufferObject>(size, pictureFormat(mSamples));
         mIsStale = true;
     }
-    if (std::exchange(mIsStale, false)) {
-        mPicture->bind();
-        mRenderer->draw(camera(), size, mStyle);
-    }
+    // A terrain that is being loaded is not drawn after each portion: drawing takes longer than uploading.
+    if (mRenderer->buffers().hasMore() && !mIsStale && mDrawnAgo.isValid() && mDrawnAgo.elapsed() < LoadingPause)
+        return blitPicture();
+    mDrawnAgo.start();
+    const model::Box3f changes = mRenderer->takeChanges();
+    mIsStale |= mRenderer->takeIsAllChanged();
+    TerrainPicture picture{camera(), mPicture->handle(), size, mStyle, float(devicePixelRatioF())};
+    picture.keepsShadows = mShadowPause.isActive();
+    if (std::exchange(mIsStale, false))
+        mRenderer->draw(picture);
+    else if (!changes.isEmpty() || (mRenderer->hasLateShadows() && !picture.keepsShadows))
+        mRenderer->draw(picture, &changes);
+    blitPicture();
+}
+
+void TerrainViewport::blitPicture()
+{
+    const QSize size = pixelSize();
     mGl->glBindFramebuffer(GL_READ_FRAMEBUFFER, mPicture->handle());
     mGl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
     mGl->glDisable(GL_SCISSOR_TEST);
@@ -201,6 +244,8 @@ void TerrainViewport::drawOverlay()
     if (const GroundInteraction *interaction = mDispatcher.interaction())
         drawDrapedLines(painter, interaction->lines(), mDocument.tin(),
                         [this](const Point3 &point) { return placeOf(point); });
+    if (mStyle.hasLegend && mStyle.overlay != GroundOverlay::None)
+        drawGroundLegend(painter, rect(), mStyle, mRenderer->rangeOf(mStyle.overlay), mDocument.terrain());
     if (mShowsFocus) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
         painter.setBrush(Qt::NoBrush);
@@ -217,10 +262,11 @@ QImage TerrainViewport::renderPicture(QSize size, const model::OrbitCamera &came
     QImage picture;
     {
         QOpenGLFramebufferObject target(size, pictureFormat(HardwareSamples));
-        if (target.isValid() && target.bind()) {
-            mIsStale |= mRenderer->buffers().upload(std::numeric_limits<double>::infinity());
-            mRenderer->draw(camera, size, mStyle);
-            target.release();
+        if (target.isValid()) {
+            mRenderer->upload(mStyle, std::numeric_limits<double>::infinity());
+            // Lines as thick as on the screen, in proportion to the picture.
+            const float ratio = std::max(1.0f, float(size.height()) / float(std::max(height(), 1)));
+            mRenderer->draw({camera, target.handle(), size, mStyle, ratio});
             picture = target.toImage().convertToFormat(QImage::Format_RGB32);
         }
     }

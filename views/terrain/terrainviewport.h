@@ -7,8 +7,10 @@
 #include "views/terrain/terrainrenderer.h"
 #include "views/viewport/cameracontrol.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QOpenGLWidget>
+#include <QTimer>
 
 #include <memory>
 
@@ -35,6 +37,10 @@ public:
 
     const TerrainStyle &style() const { return mStyle; }
     void setStyle(const TerrainStyle &style);
+    /// The moment that CutAndFill compares with; null: nothing differs. Any snapshot of a terrain over the same domain.
+    void setReference(std::shared_ptr<const model::terrain::Terrain> reference);
+    /// The triangles that erosion works on, for hasActiveTriangles.
+    void setActiveTriangles(std::vector<model::terrain::TriangleId> triangles);
 
     const model::OrbitCamera &camera() const { return mControl.camera(); }
     void setCamera(const model::OrbitCamera &camera) { mControl.setCamera(camera); }
@@ -47,6 +53,7 @@ public:
     /// The picture at another size than the widget's, without lines and legend; for screenshots and turntables.
     /// A null image if the widget was never shown or the size is not within maximumPictureSize().
     QImage renderPicture(QSize size, const model::OrbitCamera &camera);
+    QImage renderPicture(QSize size) { return renderPicture(size, camera()); }
     /// What the GPU can draw at once; empty before the widget was shown.
     QSize maximumPictureSize() const { return mMaximumPictureSize; }
 
@@ -75,6 +82,7 @@ private:
     void redraw();
     void applyPalette();
     void drawPicture();
+    void blitPicture();
     void drawOverlay();
     QSize pixelSize() const { return size() * devicePixelRatioF(); }
     /// All of the terrain, in the scene.
@@ -87,11 +95,17 @@ private:
     CameraControl mControl;
     GroundDispatcher mDispatcher;
     TerrainStyle mStyle;
+    const int mSamples; ///< of the picture on the screen
 
     QOpenGLFunctions_3_3_Core *mGl = nullptr; ///< the context's
     std::unique_ptr<TerrainRenderer> mRenderer;
     std::unique_ptr<QOpenGLFramebufferObject> mPicture; ///< the ground, without lines
-    bool mIsStale = true;                               ///< the picture shows something else
+    std::shared_ptr<const model::terrain::Terrain> mReference;
+    std::vector<model::terrain::TriangleId> mActive;
+    bool mIsActiveStale = true;
+    bool mIsStale = true; ///< the picture shows something else
+    QElapsedTimer mDrawnAgo;
+    QTimer mShadowPause; ///< runs while shadows wait for the end of a stroke
     QSize mMaximumPictureSize;
     bool mShowsFocus = false; ///< got the focus by the keyboard
 };

@@ -41,10 +41,15 @@ ShaderProgram makeProgram(const ShaderFiles &files, const QByteArray &defines, Q
     return program;
 }
 
-void beginPicture(QOpenGLFunctions_3_3_Core &gl, QSize size)
+void beginPicture(QOpenGLFunctions_3_3_Core &gl, QSize size, const QRect &part)
 {
     gl.glViewport(0, 0, size.width(), size.height());
-    gl.glDisable(GL_SCISSOR_TEST);
+    if (part.isEmpty()) {
+        gl.glDisable(GL_SCISSOR_TEST);
+    } else {
+        gl.glEnable(GL_SCISSOR_TEST);
+        gl.glScissor(part.x(), part.y(), part.width(), part.height());
+    }
     gl.glDisable(GL_STENCIL_TEST);
     gl.glDisable(GL_BLEND);
     gl.glDisable(GL_CULL_FACE);

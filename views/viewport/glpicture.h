@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
+#include <QRect>
 #include <QSize>
 #include <QStringList>
 #include <QVector4D>
@@ -27,7 +28,8 @@ ShaderProgram makeProgram(const ShaderFiles &files, const QByteArray &defines, Q
 
 /// Sets all state that a picture counts on (QPainter leaves its own behind), and clears colour and depth.
 /// \param size  in pixels of the framebuffer that is bound
-void beginPicture(QOpenGLFunctions_3_3_Core &gl, QSize size);
+/// \param part  pixels from its lower left corner: only they are cleared and drawn; empty: all
+void beginPicture(QOpenGLFunctions_3_3_Core &gl, QSize size, const QRect &part = {});
 
 /// A colour of the screen as light, with its opacity.
 QVector4D linear(const QColor &color);

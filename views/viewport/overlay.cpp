@@ -42,27 +42,18 @@ QColor inkOn(bool isDark)
 
 } // namespace
 
-void drawErrorLegend(QPainter &painter, const QRect &area, const ErrorLegend &legend, bool isDark)
+void drawColorScale(QPainter &painter, const QRect &area, const ColorScale &scale, bool isDark)
 {
-    constexpr int BarWidth = 14, Ticks = 4, LargestBar = 240, LeastBar = 60;
+    constexpr int BarWidth = 14, LargestBar = 240, LeastBar = 60;
     const QFontMetrics metrics = painter.fontMetrics();
     const int lineHeight = metrics.height();
-    const QString title = Statistics::tr("Vertex error");
-    const QString unit = legend.diagonal > 0 ? Statistics::tr("% of diagonal") : Statistics::tr("length");
-    const QString scope = legend.isOfFrame ? Statistics::tr("this frame") : Statistics::tr("all frames");
-    const double largest = legend.diagonal > 0 ? 100 * legend.range / legend.diagonal : legend.range;
-    const bool isPlain = largest >= 1e-4 && largest < 1e5;
-    const int decimals = isPlain ? std::clamp(2 - int(std::floor(std::log10(largest))), 0, 6) : 2;
-    const auto number = [&](int tick) {
-        return QLocale().toString(largest * tick / Ticks, isPlain ? 'f' : 'e', decimals);
-    };
     int numbers = 0;
-    for (int tick = 0; tick <= Ticks; ++tick)
-        numbers = std::max(numbers, metrics.horizontalAdvance(number(tick)));
-    int width = BarWidth + 10 + numbers;
-    for (const QString &text : {title, unit, scope})
-        width = std::max(width, metrics.horizontalAdvance(text));
-    const int text = 3 * lineHeight, edge = Margin + 2;
+    for (const QString &tick : scale.ticks)
+        numbers = std::max(numbers, metrics.horizontalAdvance(tick));
+    int width = std::max(BarWidth + 10 + numbers, metrics.horizontalAdvance(scale.title));
+    for (const QString &note : scale.notes)
+        width = std::max(width, metrics.horizontalAdvance(note));
+    const int text = (1 + int(scale.notes.size())) * lineHeight, edge = Margin + 2;
     const int bar = std::min(LargestBar, area.height() - text - 4 * Margin - lineHeight);
     if (bar < LeastBar)
         return; // the picture is more important
@@ -73,25 +64,44 @@ void drawErrorLegend(QPainter &painter, const QRect &area, const ErrorLegend &le
     QColor faint = ink;
     faint.setAlpha(170);
     QRect line(panel.left() + edge, panel.top() + edge / 2, width, lineHeight);
-    for (const auto &[words, color] : {std::pair(title, ink), std::pair(unit, faint), std::pair(scope, faint)}) {
-        painter.setPen(color);
-        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, words);
+    painter.setPen(ink);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, scale.title);
+    painter.setPen(faint);
+    for (const QString &note : scale.notes) {
         line.translate(0, lineHeight);
+        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, note);
     }
-    const QRect scale(panel.left() + edge, line.top() + lineHeight / 2, BarWidth, bar);
-    QLinearGradient gradient(scale.bottomLeft(), scale.topLeft());
-    for (std::size_t i = 0; i < ErrorColors.size(); ++i)
-        gradient.setColorAt(double(i) / (ErrorColors.size() - 1), QColor(ErrorColors[i]));
+    const QRect strip(panel.left() + edge, line.bottom() + 1 + lineHeight / 2, BarWidth, bar);
+    QLinearGradient gradient(strip.bottomLeft(), strip.topLeft());
+    for (std::size_t i = 0; i < scale.colors.size(); ++i)
+        gradient.setColorAt(double(i) / double(scale.colors.size() - 1), QColor(scale.colors[i]));
     painter.setPen(Qt::NoPen);
     painter.setBrush(gradient);
-    painter.drawRoundedRect(scale, 2, 2);
+    painter.drawRoundedRect(strip, 2, 2);
     painter.setPen(ink);
-    for (int tick = 0; tick <= Ticks; ++tick) {
-        const int y = scale.bottom() - (scale.height() - 1) * tick / Ticks;
-        painter.drawLine(scale.right() + 2, y, scale.right() + 5, y);
-        const QRect box(scale.right() + 10, y - lineHeight / 2, numbers, lineHeight);
-        painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, number(tick));
+    const int last = int(scale.ticks.size()) - 1;
+    for (int tick = 0; tick <= last; ++tick) {
+        const int y = strip.bottom() - (strip.height() - 1) * tick / last;
+        painter.drawLine(strip.right() + 2, y, strip.right() + 5, y);
+        const QRect box(strip.right() + 10, y - lineHeight / 2, numbers, lineHeight);
+        painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, scale.ticks[tick]);
     }
+}
+
+void drawErrorLegend(QPainter &painter, const QRect &area, const ErrorLegend &legend, bool isDark)
+{
+    constexpr int Ticks = 4;
+    const double largest = legend.diagonal > 0 ? 100 * legend.range / legend.diagonal : legend.range;
+    const bool isPlain = largest >= 1e-4 && largest < 1e5;
+    const int decimals = isPlain ? std::clamp(2 - int(std::floor(std::log10(largest))), 0, 6) : 2;
+    ColorScale scale;
+    scale.title = Statistics::tr("Vertex error");
+    scale.notes = {legend.diagonal > 0 ? Statistics::tr("% of diagonal") : Statistics::tr("length"),
+                   legend.isOfFrame ? Statistics::tr("this frame") : Statistics::tr("all frames")};
+    scale.colors.assign(ErrorColors.begin(), ErrorColors.end());
+    for (int tick = 0; tick <= Ticks; ++tick)
+        scale.ticks += QLocale().toString(largest * tick / Ticks, isPlain ? 'f' : 'e', decimals);
+    drawColorScale(painter, area, scale, isDark);
 }
 
 void drawStatistics(QPainter &painter, const ViewportStatistics &statistics, bool isDark)

@@ -4,6 +4,9 @@
 #include "model/mesh/camera.h"
 
 #include <QPainter>
+#include <QStringList>
+
+#include <vector>
 
 namespace views {
 
@@ -20,6 +23,18 @@ struct ViewportStatistics
 
 /// The read-out in the upper left corner.
 void drawStatistics(QPainter &painter, const ViewportStatistics &statistics, bool isDark);
+
+/// What colours mean.
+struct ColorScale
+{
+    QString title;
+    QStringList notes;        ///< below it, one a line: the unit, what it is of
+    std::vector<QRgb> colors; ///< from the lowest value to the highest, at equal distances
+    QStringList ticks;        ///< values, likewise
+};
+
+/// A scale at the right side of `area`; nothing if there is no room.
+void drawColorScale(QPainter &painter, const QRect &area, const ColorScale &scale, bool isDark);
 
 /// What the colours of the errors mean.
 struct ErrorLegend

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The terrain from straight above, filling the picture: texture coordinates are place.xz / uHalf / 2 + 1 / 2.
 uniform vec2 uHalf; // metres
-layout(location = 0) in vec3 aPosition;
+layout(location = 0) in vec2 aPlace; // x and z
+layout(location = 1) in float aHeight;
 out float vHeight;
 
 void main()
 {
-    vHeight = aPosition.y;
-    gl_Position = vec4(aPosition.xz / uHalf, 0.0, 1.0);
+    vHeight = aHeight;
+    gl_Position = vec4(aPlace / uHalf, 0.0, 1.0);
 }

@@ -15,9 +15,9 @@ in vec4 vColor;
 in float vNumber;
 out vec4 oColor;
 
-const vec3 SunColor = vec3(1.00, 0.92, 0.79) * 2.55;
-const vec3 ZenithColor = vec3(0.58, 0.74, 1.00) * 0.62;
-const vec3 BounceColor = vec3(0.95, 0.72, 0.47) * 0.26;
+const vec3 SunColor = vec3(1.00, 0.90, 0.74) * 1.85;
+const vec3 ZenithColor = vec3(0.56, 0.72, 1.00) * 0.36;
+const vec3 BounceColor = vec3(0.95, 0.70, 0.44) * 0.11;
 
 vec3 toLight(vec3 srgb)
 {
@@ -85,13 +85,14 @@ vec4 detail(vec3 normal, out vec3 bump)
 // What the wind makes: crests across it, bent by the clods, where the ground is gentle.
 vec2 ripples(vec3 normal, out float crest)
 {
-    vec2 warp = texture(uGrains, vPlace.xz / (uTile * 31.0)).xy + texture(uGrains, vPlace.zx / (uTile * 13.0)).yx * 0.4;
-    float wave = uTile * 0.34;
+    // The coarse levels of the tile are smooth: they bend the crests, and let them fade here and there.
+    float bend = textureLod(uGrains, vPlace.xz / (uTile * 41.0), 4.0).z - 0.5;
+    float calm = textureLod(uGrains, vPlace.zx / (uTile * 29.0) + 0.37, 4.0).z - 0.5;
+    float wave = uTile * 0.40;
     vec2 across = vec2(0.80, 0.60);
-    float phase = (dot(vPlace.xz, across) + (warp.x + warp.y * 0.6) * wave * 2.6) / wave * 6.2831853;
+    float phase = (dot(vPlace.xz, across) / wave + bend * 13.0) * 6.2831853;
     float pixels = 6.2831853 / max(fwidth(phase), 1e-4); // of one ripple
-    float strength = smoothstep(0.86, 0.97, normal.y) * smoothstep(3.0, 9.0, pixels) *
-                     (0.35 + 0.65 * smoothstep(0.35, 0.65, warp.y));
+    float strength = smoothstep(0.88, 0.97, normal.y) * smoothstep(3.0, 9.0, pixels) * smoothstep(-0.06, 0.05, calm);
     crest = (sin(phase) + 0.25 * sin(2.0 * phase + 0.9)) * strength;
     return -across * (cos(phase) + 0.5 * cos(2.0 * phase + 0.9)) * strength;
 }
@@ -108,7 +109,7 @@ float glints(vec3 normal, vec3 toEye, float sun)
                                  dot(cell, vec2(419.2, 371.9)))) * 43758.5453);
     vec3 facet = normalize(normal + (random - 0.5) * 1.7);
     float mirrored = max(dot(facet, normalize(uSun + toEye)), 0.0);
-    return pow(mirrored, 260.0) * 7.0 * (1.0 - smoothstep(1.0, 2.5, size));
+    return pow(mirrored, 400.0) * 3.0 * smoothstep(0.1, 0.4, sun) * (1.0 - smoothstep(1.0, 2.5, size));
 }
 #endif
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 uniform mat4 uView;
 uniform mat4 uProjection;
-layout(location = 0) in vec3 aPosition;
-layout(location = 1) in vec2 aNormal; // x and z; y is what is missing to 1
-layout(location = 2) in vec4 aColor;  // sRGB, humidity
-layout(location = 3) in float aNumber;
+layout(location = 0) in vec2 aPlace; // x and z
+layout(location = 1) in float aHeight;
+layout(location = 2) in vec2 aNormal; // x and z; y is what is missing to 1
+layout(location = 3) in vec4 aColor;  // sRGB, humidity
+layout(location = 4) in float aNumber;
 
 #ifdef EDGES
 #define OUT(name) g##name
@@ -18,9 +19,10 @@ out float OUT(Number);
 
 void main()
 {
-    OUT(Place) = aPosition;
+    vec3 position = vec3(aPlace.x, aHeight, aPlace.y);
+    OUT(Place) = position;
     OUT(Normal) = vec3(aNormal.x, sqrt(max(1.0 - dot(aNormal, aNormal), 0.0)), aNormal.y);
     OUT(Color) = aColor;
     OUT(Number) = aNumber;
-    gl_Position = uProjection * (uView * vec4(aPosition, 1.0));
+    gl_Position = uProjection * (uView * vec4(position, 1.0));
 }
