@@ -2235,6 +2235,49 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     </message>
 </context>
 <context>
+    <name>views::Legend</name>
+    <message>
+        <source>metres</source>
+        <translation>v metrech</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Sklon</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>ve stupních</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Vlhkost</translation>
+    </message>
+    <message>
+        <source>% of saturation</source>
+        <translation>% nasycení</translation>
+    </message>
+    <message>
+        <source>top layer</source>
+        <translation>horní vrstva</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Tloušťka</translation>
+    </message>
+    <message>
+        <source>all layers</source>
+        <translation>všechny vrstvy</translation>
+    </message>
+    <message>
+        <source>Cut and fill</source>
+        <translation>Výkop a násyp</translation>
+    </message>
+</context>
+<context>
     <name>views::LogDock</name>
     <message>
         <source>Log</source>
@@ -2297,6 +2340,21 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     <message>
         <source>Dismiss Message</source>
         <translation>Zavřít zprávu</translation>
+    </message>
+</context>
+<context>
+    <name>views::NoGlTerrainView</name>
+    <message>
+        <source>Terrain</source>
+        <translation>Terén</translation>
+    </message>
+    <message>
+        <source>A map of the terrain from above. The 3D view needs OpenGL 3.3.</source>
+        <translation>Mapa terénu shora. Pohled ve 3D vyžaduje OpenGL 3.3.</translation>
+    </message>
+    <message>
+        <source>A map from above: the 3D view needs OpenGL 3.3.</source>
+        <translation>Mapa shora: pohled ve 3D vyžaduje OpenGL 3.3.</translation>
     </message>
 </context>
 <context>
@@ -2919,6 +2977,23 @@ chyba KG %4</translation>
     <message>
         <source>all frames</source>
         <translation>všechny snímky</translation>
+    </message>
+</context>
+<context>
+    <name>views::TerrainViewport</name>
+    <message>
+        <source>Terrain</source>
+        <translation>Terén</translation>
+    </message>
+    <message>
+        <source>The terrain in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it.</source>
+        <translation>Terén ve 3D. Šipky jím otáčejí, plus a minus přibližují a oddalují, F ukáže celý.</translation>
+    </message>
+    <message>
+        <source>The graphics driver refused a shader:
+%1</source>
+        <translation>Ovladač grafické karty odmítl shader:
+%1</translation>
     </message>
 </context>
 <context>
