@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace views {
 
@@ -24,31 +25,44 @@ GroundMaps::GroundMaps(QOpenGLFunctions_3_3_Core &gl, const GroundFrame &frame, 
     , mLightProgram(makeProgram({"fullscreen.vert", "terrain/light.frag", {}}, {}, error))
 {
     mGl.glGenTextures(TextureCount, mTextures);
-    mGl.glGenFramebuffers(TextureCount, mFramebuffers);
+    mGl.glGenFramebuffers(FramebufferCount, mFramebuffers);
     mGl.glGenVertexArrays(1, &mEmptyArray);
 }
 
 GroundMaps::~GroundMaps()
 {
     mGl.glDeleteVertexArrays(1, &mEmptyArray);
-    mGl.glDeleteFramebuffers(TextureCount, mFramebuffers);
+    mGl.glDeleteFramebuffers(FramebufferCount, mFramebuffers);
     mGl.glDeleteTextures(TextureCount, mTextures);
 }
 
 void GroundMaps::allocate(int side)
 {
     mSide = side;
-    for (const auto &[texture, format] : {std::pair(Heights, GL_R32F), std::pair(Light, GL_RG8)}) {
+    mIsNew = mIsLightNew = true;
+    const struct
+    {
+        Texture texture;
+        Framebuffer target;
+        GLenum attachment;
+        GLint kept;
+        GLenum format, type;
+    } maps[] = {{Heights, HeightTarget, GL_COLOR_ATTACHMENT0, GL_R32F, GL_RED, GL_FLOAT},
+                {Paint, HeightTarget, GL_COLOR_ATTACHMENT1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
+                {Light, LightTarget, GL_COLOR_ATTACHMENT0, GL_RG8, GL_RG, GL_UNSIGNED_BYTE}};
+    for (const auto &[texture, target, attachment, kept, format, type] : maps) {
         mGl.glBindTexture(GL_TEXTURE_2D, mTextures[texture]);
-        mGl.glTexImage2D(GL_TEXTURE_2D, 0, format, side, side, 0, texture == Heights ? GL_RED : GL_RG,
-                         texture == Heights ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+        mGl.glTexImage2D(GL_TEXTURE_2D, 0, kept, side, side, 0, format, type, nullptr);
         for (const auto &[name, value] :
              {std::pair(GL_TEXTURE_MIN_FILTER, GL_LINEAR), std::pair(GL_TEXTURE_MAG_FILTER, GL_LINEAR),
               std::pair(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE), std::pair(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE)})
             mGl.glTexParameteri(GL_TEXTURE_2D, GLenum(name), value);
-        mGl.glBindFramebuffer(GL_FRAMEBUFFER, mFramebuffers[texture]);
-        mGl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, mTextures[texture], 0);
+        mGl.glBindFramebuffer(GL_FRAMEBUFFER, mFramebuffers[target]);
+        mGl.glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, mTextures[texture], 0);
     }
+    mGl.glBindFramebuffer(GL_FRAMEBUFFER, mFramebuffers[HeightTarget]);
+    const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    mGl.glDrawBuffers(2, both);
     mGl.glBindTexture(GL_TEXTURE_2D, 0);
 }
 
@@ -67,9 +81,13 @@ GroundMaps::Region GroundMaps::regionOf(const model::Box3f &box) const
     return region;
 }
 
-void GroundMaps::drawInto(Texture texture, const Region &region)
+void GroundMaps::drawInto(Framebuffer target, const Region &region)
 {
-    mGl.glBindFramebuffer(GL_FRAMEBUFFER, mFramebuffers[texture]);
+    mGl.glDisable(GL_DEPTH_TEST);
+    mGl.glDisable(GL_BLEND);
+    mGl.glDisable(GL_CULL_FACE);
+    mGl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    mGl.glBindFramebuffer(GL_FRAMEBUFFER, mFramebuffers[target]);
     mGl.glViewport(0, 0, mSide, mSide);
     mGl.glEnable(GL_SCISSOR_TEST);
     mGl.glScissor(region.x, region.y, region.width, region.height);
@@ -90,42 +108,49 @@ model::Box3f GroundMaps::litBox(const model::Box3f &changed, const model::Box3f 
     return lit;
 }
 
-void GroundMaps::update(TerrainBuffers &buffers, int side, model::Vec3f sun, const model::Box3f &changed)
+void GroundMaps::note(const model::Box3f &changed)
 {
-    const bool isNew = side != mSide;
-    if (!isNew && sun == mSun && changed.isEmpty())
-        return;
-    if (isNew)
-        allocate(side);
-    const float longest = 2 * std::max(mFrame.halfX(), mFrame.halfY());
-    const float relief = buffers.box().isEmpty() ? 0 : buffers.box().size().y;
-    const float elevation = sun.y / std::max(std::hypot(sun.x, sun.z), 1e-6f);
-    const float reach = std::min(relief / std::max(elevation * 0.85f, 1e-3f), longest);
-    const bool isAll = isNew || sun != mSun;
-    mSun = sun;
-    const Region all{0, 0, mSide, mSide};
+    mHeightChanges.add(changed);
+    mLightChanges.add(changed);
+}
 
-    mGl.glDisable(GL_DEPTH_TEST);
-    mGl.glDisable(GL_BLEND);
-    mGl.glDisable(GL_CULL_FACE);
-    mGl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    if (isNew || !changed.isEmpty()) {
-        drawInto(Heights, isNew ? all : regionOf(changed));
-        mGl.glClearColor(NoGround, 0, 0, 1);
-        mGl.glClear(GL_COLOR_BUFFER_BIT);
-        mHeightProgram->bind();
-        mHeightProgram->setUniformValue("uHalf", mFrame.halfX(), mFrame.halfY());
-        buffers.draw([&](const model::Box3f &box) {
-            return isNew || (box.min.x <= changed.max.x && box.max.x >= changed.min.x && box.min.z <= changed.max.z &&
-                             box.max.z >= changed.min.z);
-        });
-    }
-    drawInto(Light, isAll ? all : regionOf(litBox(changed, buffers.box(), sun)));
+void GroundMaps::updateHeights(TerrainBuffers &buffers, int side)
+{
+    if (side != mSide)
+        allocate(side);
+    const model::Box3f changed = std::exchange(mHeightChanges, {});
+    const bool isAll = std::exchange(mIsNew, false);
+    if (!isAll && changed.isEmpty())
+        return;
+    drawInto(HeightTarget, isAll ? Region{0, 0, mSide, mSide} : regionOf(changed));
+    mGl.glClearColor(NoGround, 0, 0, 1);
+    mGl.glClear(GL_COLOR_BUFFER_BIT);
+    mHeightProgram->bind();
+    mHeightProgram->setUniformValue("uHalf", mFrame.halfX(), mFrame.halfY());
+    buffers.draw([&](const model::Box3f &box) {
+        return isAll || (box.min.x <= changed.max.x && box.max.x >= changed.min.x && box.min.z <= changed.max.z &&
+                         box.max.z >= changed.min.z);
+    });
+    mGl.glDisable(GL_SCISSOR_TEST);
+    mGl.glUseProgram(0);
+}
+
+void GroundMaps::updateLight(const model::Box3f &all, model::Vec3f sun)
+{
+    const model::Box3f changed = std::exchange(mLightChanges, {});
+    const bool isAll = std::exchange(mIsLightNew, false) || !(sun == mSun);
+    if (!isAll && changed.isEmpty())
+        return;
+    mSun = sun;
+    const float longest = 2 * std::max(mFrame.halfX(), mFrame.halfY());
+    const float relief = all.isEmpty() ? 0 : all.size().y;
+    const float elevation = sun.y / std::max(std::hypot(sun.x, sun.z), 1e-6f);
+    drawInto(LightTarget, isAll ? Region{0, 0, mSide, mSide} : regionOf(litBox(changed, all, sun)));
     mLightProgram->bind();
     mLightProgram->setUniformValue("uHeights", 0);
     mLightProgram->setUniformValue("uHalf", mFrame.halfX(), mFrame.halfY());
     mLightProgram->setUniformValue("uSun", QVector3D(sun.x, sun.y, sun.z));
-    mLightProgram->setUniformValue("uReach", reach);
+    mLightProgram->setUniformValue("uReach", std::min(relief / std::max(elevation * 0.85f, 1e-3f), longest));
     mLightProgram->setUniformValue("uSkyReach", SkyReach * longest);
     mGl.glActiveTexture(GL_TEXTURE0);
     mGl.glBindTexture(GL_TEXTURE_2D, mTextures[Heights]);

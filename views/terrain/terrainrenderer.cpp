@@ -27,7 +27,11 @@ constexpr float TileShare = 0.055f;
 constexpr float LineHalfWidth = 0.9f;
 const QVector4D ActiveColor(1.0f, 0.36f, 0.08f, 0.55f);
 
-enum Unit { LightUnit, GrainUnit, LineColorUnit };
+enum Unit { LightUnit, GrainUnit, LineColorUnit, HeightUnit, PaintUnit };
+
+/// Squares along a side of the grid that stands for a terrain of more triangles than this while the camera moves.
+constexpr int CoarseSquares = 200;
+constexpr std::uint32_t CoarseFrom = 150000;
 
 QVector3D toQt(model::Vec3f v)
 {
@@ -105,6 +109,7 @@ TerrainRenderer::TerrainRenderer(QOpenGLFunctions_3_3_Core &gl, const Terrain &t
     mGl.glGenerateMipmap(GL_TEXTURE_2D);
     mGl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     mGl.glBindTexture(GL_TEXTURE_2D, 0);
+    mGl.glGenVertexArrays(1, &mEmptyArray);
     mGl.glGenBuffers(1, &mLineColors);
     mGl.glGenTextures(1, &mLineTexture);
 }
@@ -114,6 +119,7 @@ TerrainRenderer::~TerrainRenderer()
     mGl.glDeleteTextures(1, &mGrains);
     mGl.glDeleteTextures(1, &mLineTexture);
     mGl.glDeleteBuffers(1, &mLineColors);
+    mGl.glDeleteVertexArrays(1, &mEmptyArray);
 }
 
 void TerrainRenderer::note(const Edit &edit)
@@ -161,7 +167,7 @@ void TerrainRenderer::upload(const TerrainStyle &style, double milliseconds)
     const GroundRange before = rangeOf(style.overlay);
     if (mBuffers.upload(milliseconds)) {
         mChanges.add(mBuffers.changedBox());
-        mMapChanges.add(mBuffers.changedBox());
+        mMaps.note(mBuffers.changedBox());
     }
     const GroundRange after = rangeOf(style.overlay);
     if (style.overlay != GroundOverlay::None && (after.low != before.low || after.high != before.high))
@@ -210,9 +216,17 @@ double TerrainRenderer::contourInterval(const TerrainStyle &style) const
     return roundUp(mBuffers.box().isEmpty() ? 1 : double(mBuffers.box().size().y) / 20);
 }
 
-QOpenGLShaderProgram &TerrainRenderer::groundProgram(const TerrainStyle &style)
+bool TerrainRenderer::canBeCoarse(const TerrainStyle &style) const
+{
+    return mTerrain.tin.triangleCount() > CoarseFrom && !mBuffers.hasMore() && !style.hasWireframe &&
+           style.overlay != GroundOverlay::Thickness && style.overlay != GroundOverlay::CutAndFill;
+}
+
+QOpenGLShaderProgram &TerrainRenderer::groundProgram(const TerrainStyle &style, bool isCoarse)
 {
     QByteArray defines;
+    if (isCoarse)
+        defines += "#define COARSE\n";
     if (style.overlay != GroundOverlay::None) {
         defines += "#define OVERLAY\n";
     } else {
@@ -227,7 +241,7 @@ QOpenGLShaderProgram &TerrainRenderer::groundProgram(const TerrainStyle &style)
         defines += "#define EDGES\n";
     ShaderProgram &program = mGround[defines];
     if (!program)
-        program = makeProgram({"terrain/terrain.vert", "terrain/terrain.frag",
+        program = makeProgram({isCoarse ? "terrain/coarse.vert" : "terrain/terrain.vert", "terrain/terrain.frag",
                                style.hasWireframe ? QStringLiteral("terrain/edges.geom") : QString()},
                               defines, mError);
     return *program;
@@ -307,14 +321,16 @@ void TerrainRenderer::draw(const TerrainPicture &picture, const model::Box3f *ch
     model::Box3f wide = changes ? *changes : model::Box3f();
     const bool isLit = hasShadows(style) && !mBuffers.hasMore();
     if (isLit && !(picture.keepsShadows && mHasShadows)) {
-        const model::Box3f changed = std::exchange(mMapChanges, {});
-        const int side = style.quality == GroundQuality::High ? 1024 : 512;
-        mMaps.update(mBuffers, side, sunDirection(style), changed);
-        wide.add(changed);
+        wide.add(mMaps.lightChanges());
+        mMaps.updateHeights(mBuffers, style.quality == GroundQuality::High ? 1024 : 512);
+        mMaps.updateLight(mBuffers.box(), sunDirection(style));
         if (changes && !wide.isEmpty())
             wide = GroundMaps::litBox(wide, mBuffers.box(), sunDirection(style));
     }
     mHasShadows = isLit;
+    const bool isCoarse = picture.isCoarse && canBeCoarse(style);
+    if (isCoarse)
+        mMaps.updateHeights(mBuffers, std::max(mMaps.side(), 512));
     mGl.glBindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer);
     const float aspect = float(picture.size.width()) / float(std::max(picture.size.height(), 1));
     mView = picture.camera.viewMatrix();
@@ -339,18 +355,36 @@ void TerrainRenderer::draw(const TerrainPicture &picture, const model::Box3f *ch
     if (!mError.isEmpty() || picture.size.isEmpty())
         return;
     mBackdrop.draw(aspect, style.isDark);
-    QOpenGLShaderProgram &ground = groundProgram(style);
+    QOpenGLShaderProgram &ground = groundProgram(style, isCoarse);
     if (!mError.isEmpty())
         return;
     use(ground);
     setGround(ground, picture);
-    mBuffers.draw([&seen](const model::Box3f &box) { return isInView(seen, box); });
+    if (isCoarse)
+        drawCoarsely(ground);
+    else
+        mBuffers.draw([&seen](const model::Box3f &box) { return isInView(seen, box); });
     if (style.hasActiveTriangles)
         drawActive();
     if (style.edges != GroundEdges::None)
         drawLines(picture);
     mGl.glUseProgram(0);
     mGl.glDisable(GL_SCISSOR_TEST);
+}
+
+void TerrainRenderer::drawCoarsely(QOpenGLShaderProgram &program)
+{
+    program.setUniformValue("uSquares", CoarseSquares);
+    program.setUniformValue("uHeights", int(HeightUnit));
+    program.setUniformValue("uPaint", int(PaintUnit));
+    mGl.glActiveTexture(GL_TEXTURE0 + HeightUnit);
+    mGl.glBindTexture(GL_TEXTURE_2D, mMaps.heights());
+    mGl.glActiveTexture(GL_TEXTURE0 + PaintUnit);
+    mGl.glBindTexture(GL_TEXTURE_2D, mMaps.paint());
+    mGl.glActiveTexture(GL_TEXTURE0);
+    mGl.glBindVertexArray(mEmptyArray);
+    mGl.glDrawArrays(GL_TRIANGLES, 0, 6 * CoarseSquares * CoarseSquares);
+    mGl.glBindVertexArray(0);
 }
 
 void TerrainRenderer::drawActive()

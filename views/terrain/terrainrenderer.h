@@ -23,6 +23,8 @@ struct TerrainPicture
     /// Shadows stay as they are where the ground has changed: they cost more than the ground itself where the processor
     /// draws. The next picture without this brings them up to date.
     bool keepsShadows = false;
+    /// A grid stands for the terrain, if it is large: for a camera that moves, where the processor draws.
+    bool isCoarse = false;
 };
 
 /// Draws a terrain. Made, used and destroyed with the same context current.
@@ -55,7 +57,7 @@ public:
     bool takeIsAllChanged();
 
     /// Shadows are not up to date, for keepsShadows.
-    bool hasLateShadows() const { return mHasShadows && !mMapChanges.isEmpty(); }
+    bool hasLateShadows() const { return mHasShadows && !mMaps.lightChanges().isEmpty(); }
 
     /// The values at the ends of an overlay's colours: metres, degrees, per cent.
     GroundRange rangeOf(GroundOverlay overlay) const;
@@ -65,7 +67,9 @@ public:
 private:
     void updateScalar(const TerrainStyle &style);
     void updateLines(const TerrainStyle &style);
-    QOpenGLShaderProgram &groundProgram(const TerrainStyle &style);
+    QOpenGLShaderProgram &groundProgram(const TerrainStyle &style, bool isCoarse);
+    bool canBeCoarse(const TerrainStyle &style) const;
+    void drawCoarsely(QOpenGLShaderProgram &program);
     void use(QOpenGLShaderProgram &program);
     void setGround(QOpenGLShaderProgram &program, const TerrainPicture &picture);
     void drawLines(const TerrainPicture &picture);
@@ -82,13 +86,13 @@ private:
     GroundMaps mMaps;
     std::map<QByteArray, ShaderProgram> mGround; ///< by their defines
     ShaderProgram mLines, mFlat;
-    GLuint mGrains = 0, mLineColors = 0, mLineTexture = 0;
+    GLuint mGrains = 0, mLineColors = 0, mLineTexture = 0, mEmptyArray = 0;
     TerrainPtr mReference;
     GroundOverlay mScalarOf = GroundOverlay::None;
     int mScalarLayer = -1;
     GroundEdges mLinesOf = GroundEdges::None;
     bool mAreLinesStale = true;
-    model::Box3f mChanges, mMapChanges;
+    model::Box3f mChanges;
     bool mIsAllChanged = true;
     bool mHasShadows = false; ///< of the last picture
     model::Box3f mDepthBox;   ///< places the depth planes

@@ -29,6 +29,10 @@ constexpr double UploadMilliseconds = 12;
 constexpr int LoadingPause = 400;
 /// Milliseconds without a change after which the processor draws the shadows anew.
 constexpr int ShadowPause = 180;
+/// Radians: a terrain is looked down upon.
+constexpr float StartPitch = 0.6f;
+/// Milliseconds without a movement after which it draws all triangles of a large terrain.
+constexpr int CameraPause = 200;
 
 QOpenGLFramebufferObjectFormat pictureFormat(int samples)
 {
@@ -54,15 +58,24 @@ TerrainViewport::TerrainViewport(const model::TerrainDocument &document, QWidget
     setAccessibleName(tr("Terrain"));
     setAccessibleDescription(tr("The terrain in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it."));
     connect(&mControl, &CameraControl::moved, this, [this] {
+        if (mSamples == 0)
+            mCameraPause.start();
         redraw();
         emit cameraChanged();
     });
     connect(&mControl, &CameraControl::fitAsked, this, &TerrainViewport::fitView);
     connect(&mDocument, &model::TerrainDocument::changed, this, &TerrainViewport::documentChanged);
+    mCameraPause.setSingleShot(true);
+    mCameraPause.setInterval(CameraPause);
+    connect(&mCameraPause, &QTimer::timeout, this, &TerrainViewport::redraw);
     mShadowPause.setSingleShot(true);
     mShadowPause.setInterval(ShadowPause);
     connect(&mShadowPause, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    mStyle.quality = mSamples == 0 ? GroundQuality::Medium : GroundQuality::High;
     applyPalette();
+    model::OrbitCamera start;
+    start.pitch = StartPitch;
+    mControl.setCamera(start);
     fitView();
 }
 
@@ -214,6 +227,7 @@ void TerrainViewport::drawPicture()
     mIsStale |= mRenderer->takeIsAllChanged();
     TerrainPicture picture{camera(), mPicture->handle(), size, mStyle, float(devicePixelRatioF())};
     picture.keepsShadows = mShadowPause.isActive();
+    picture.isCoarse = mCameraPause.isActive();
     if (std::exchange(mIsStale, false))
         mRenderer->draw(picture);
     else if (!changes.isEmpty() || (mRenderer->hasLateShadows() && !picture.keepsShadows))

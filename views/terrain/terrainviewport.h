@@ -105,6 +105,7 @@ private:
     bool mIsActiveStale = true;
     bool mIsStale = true; ///< the picture shows something else
     QElapsedTimer mDrawnAgo;
+    QTimer mCameraPause; ///< runs while the camera moves
     QTimer mShadowPause; ///< runs while shadows wait for the end of a stroke
     QSize mMaximumPictureSize;
     bool mShowsFocus = false; ///< got the focus by the keyboard

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 in float vHeight;
-out float oHeight;
+in vec4 vColor;
+layout(location = 0) out float oHeight;
+layout(location = 1) out vec4 oPaint;
 
 void main()
 {
     oHeight = vHeight;
+    oPaint = vColor;
 }

@@ -3,10 +3,13 @@
 uniform vec2 uHalf; // metres
 layout(location = 0) in vec2 aPlace; // x and z
 layout(location = 1) in float aHeight;
+layout(location = 3) in vec4 aColor; // sRGB, humidity
 out float vHeight;
+out vec4 vColor;
 
 void main()
 {
     vHeight = aHeight;
+    vColor = aColor;
     gl_Position = vec4(aPlace / uHalf, 0.0, 1.0);
 }

@@ -38,6 +38,10 @@ float edgeCoverage()
 }
 #endif
 
+#ifdef COARSE
+in float vHole;
+#endif
+
 #ifdef DETAIL
 // Slope of the grains over one plane, and their height and random number, at a scale and turned by an angle.
 vec4 grains(vec2 plane, float tile, vec2 turn)
@@ -149,6 +153,10 @@ float overlayValue()
 
 void main()
 {
+#ifdef COARSE
+    if (vHole > 0.0)
+        discard;
+#endif
     vec3 normal = normalize(vNormal);
     vec2 light = uHasMaps ? texture(uLight, vPlace.xz / uHalf * 0.5 + 0.5).rg : vec2(1.0);
 #ifdef OVERLAY

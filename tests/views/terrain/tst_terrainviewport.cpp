@@ -228,6 +228,34 @@ private slots:
         QCOMPARE(picture(), before);
     }
 
+    void largeTerrainIsAGridWhileTheCameraMoves()
+    {
+        if (!glSupport().isSoftware)
+            QSKIP("only where the processor draws");
+        show(tests::groundDocument(tests::UnitSquare, 290, tests::dunes));
+        drawPlainly();
+        mDocument->edit([](TinEdit &edit) { // a hole, to look through
+            std::vector<TriangleId> inside;
+            for (TriangleId t = 0; t < edit.tin().arrays().triangleSlots(); ++t) {
+                const Point2 p = edit.tin().arrays().pointAt(cornerOf(t, 0));
+                if (std::hypot(p.x - 0.5, p.y - 0.5) < 0.1)
+                    inside.push_back(t);
+            }
+            edit.setVoid(inside, true);
+        });
+        mViewport->setCamera(fromAbove());
+        const QImage moving = picture();
+        QTRY_VERIFY(picture() != moving);
+        const QImage still = picture();
+        int different = 0;
+        for (int y = 0; y < still.height(); ++y)
+            for (int x = 0; x < still.width(); ++x)
+                different += std::abs(qRed(still.pixel(x, y)) - qRed(moving.pixel(x, y))) > 12;
+        QVERIFY2(different < still.width() * still.height() / 50, qPrintable(QString::number(different)));
+        QVERIFY(isGround(moving.pixelColor(160, 60)) && !isGround(moving.pixelColor(160, 120)));
+        QVERIFY(!isGround(still.pixelColor(160, 120)));
+    }
+
     void voidsAreNotDrawn()
     {
         mViewport->setCamera(fromAbove());
