@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/terrain/tools/stroke.h"
 #include "tests/support/testmain.h"
 #include "tests/views/terrain/groundshapes.h"
 #include "views/terrain/terrainviewport.h"
@@ -226,6 +227,33 @@ private slots:
             edits.pop_back();
         }
         QCOMPARE(picture(), before);
+    }
+
+    void stampOfAMillionVerticesIsSentIn256KiB()
+    {
+        // As many vertices under the tool and its rim as a radius of 0.04 has in a unit square of a million.
+        show(tests::groundDocument(tests::UnitSquare, 400, [](double x, double y) { return 0.2 * x * y; }));
+        mDocument->setMaterials({material(MaterialPreset::DrySand)});
+        mDocument->edit([](TinEdit &edit) {
+            edit.addLayer(0, 0);
+            for (VertexId v = 0; v < edit.tin().arrays().vertexSlots(); ++v)
+                edit.setLayer(v, 0, {0.3, 0.1f});
+        });
+        picture();
+        QTRY_VERIFY(!mViewport->isLoading());
+        Imprint tool;
+        tool.radius = 0.1;
+        tool.depth = 0.05;
+        ToolMemory memory;
+        const std::uint64_t sent = mViewport->uploadCount().total;
+        mDocument->edit(
+            [&](TinEdit &edit) {
+                QVERIFY(draw(edit, Stroke{tool, {{{0.5, 0.5}}}, {}}, 1, memory));
+            },
+            VolumeRule::Keep);
+        picture();
+        const std::uint64_t bytes = mViewport->uploadCount().total - sent;
+        QVERIFY2(bytes > 50 * 1024 && bytes <= 256 * 1024, qPrintable(QString::number(bytes)));
     }
 
     void largeTerrainIsAGridWhileTheCameraMoves()
