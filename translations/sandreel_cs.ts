@@ -36,10 +36,6 @@
         <translation>&amp;Otevřít…</translation>
     </message>
     <message>
-        <source>Open an .anim file</source>
-        <translation>Otevřít soubor .anim</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>&amp;Uložit</translation>
     </message>
@@ -379,13 +375,37 @@
         <source>Pre&amp;vious Document</source>
         <translation>P&amp;ředchozí dokument</translation>
     </message>
+    <message>
+        <source>&amp;New Terrain…</source>
+        <translation>&amp;Nový terén…</translation>
+    </message>
+    <message>
+        <source>Make a terrain: flat, dunes or hills</source>
+        <translation>Vytvoří terén: rovinu, duny nebo kopce</translation>
+    </message>
+    <message>
+        <source>&amp;Import Terrain…</source>
+        <translation>&amp;Importovat terén…</translation>
+    </message>
+    <message>
+        <source>Make a terrain of an elevation model, of points or of a mesh</source>
+        <translation>Vytvoří terén z výškového modelu, z bodů nebo ze sítě</translation>
+    </message>
+    <message>
+        <source>Open an animation or a terrain</source>
+        <translation>Otevře animaci nebo terén</translation>
+    </message>
+    <message>
+        <source>&amp;Terrain…</source>
+        <translation>&amp;Terén…</translation>
+    </message>
+    <message>
+        <source>Write the terrain as a mesh, a raster or contours</source>
+        <translation>Zapíše terén jako síť, rastr nebo vrstevnice</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
-    <message>
-        <source>Sandreel prepares, opens and plays mesh animations.</source>
-        <translation>Sandreel připravuje, otevírá a přehrává animace sítí.</translation>
-    </message>
     <message>
         <source>Language of the interface: en or cs.</source>
         <translation>Jazyk rozhraní: en nebo cs.</translation>
@@ -426,12 +446,24 @@
         <source>Show what the last animation lost of this original.</source>
         <translation>Ukázat, co poslední animace ztratila oproti tomuto originálu.</translation>
     </message>
+    <message>
+        <source>Sandreel plays mesh animations and shapes sandy terrain.</source>
+        <translation>Sandreel přehrává animace sítí a tvaruje písčitý terén.</translation>
+    </message>
 </context>
 <context>
     <name>Documents</name>
     <message>
         <source>Animations</source>
         <translation>Animace</translation>
+    </message>
+    <message>
+        <source>Terrains</source>
+        <translation>Terény</translation>
+    </message>
+    <message>
+        <source>%1 (process %2 on %3)</source>
+        <translation>%1 (proces %2 na %3)</translation>
     </message>
 </context>
 <context>
@@ -1058,6 +1090,10 @@
         <source>Walker</source>
         <translation>Čtyřnožec</translation>
     </message>
+    <message>
+        <source>Dunes</source>
+        <translation>Duny</translation>
+    </message>
 </context>
 <context>
     <name>Undo</name>
@@ -1239,6 +1275,10 @@
         <source>Opened %1: %2</source>
         <translation>Otevřeno %1; %2</translation>
     </message>
+    <message>
+        <source>What happens to %1 is not being recorded: it would not come back after a crash.</source>
+        <translation>Změny dokumentu %1 se nezaznamenávají: po pádu programu by se nevrátily.</translation>
+    </message>
 </context>
 <context>
     <name>editor::HelpActions</name>
@@ -1350,6 +1390,88 @@
     </message>
 </context>
 <context>
+    <name>editor::OpenTerrain</name>
+    <message>
+        <source>New, not saved to a file yet</source>
+        <translation>Nový, zatím neuložený do souboru</translation>
+    </message>
+    <message>
+        <source>Imported, not saved to a file yet</source>
+        <translation>Importovaný, zatím neuložený do souboru</translation>
+    </message>
+    <message>
+        <source>Recovered, not saved to a file yet</source>
+        <translation>Obnovený, zatím neuložený do souboru</translation>
+    </message>
+    <message>
+        <source>%L1 vertices, %L2 triangles</source>
+        <translation>vrcholů: %L1, trojúhelníků: %L2</translation>
+    </message>
+    <message>
+        <source>%1 is open elsewhere too: %2. Whoever saves last replaces what the other saved.</source>
+        <translation>%1 je otevřen i jinde: %2. Kdo uloží poslední, nahradí to, co uložil ten druhý.</translation>
+    </message>
+    <message>
+        <source>%1 is of a newer Sandreel. Saving it here may lose what this one does not know.</source>
+        <translation>%1 je z novější verze Sandreelu. Uložením zde se může ztratit to, co tato verze nezná.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RecoveryDialog</name>
+    <message>
+        <source>Recover Terrains</source>
+        <translation>Obnovit terény</translation>
+    </message>
+    <message>
+        <source>Sandreel ended without saving these terrains. They can be opened as they were.</source>
+        <translation>Sandreel skončil, aniž by tyto terény uložil. Lze je otevřít tak, jak byly.</translation>
+    </message>
+    <message>
+        <source>Terrains that were not saved</source>
+        <translation>Neuložené terény</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Obnovit</translation>
+    </message>
+    <message>
+        <source>&amp;Discard…</source>
+        <translation>&amp;Zahodit…</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Později</translation>
+    </message>
+    <message>
+        <source>They are offered again at the next start</source>
+        <translation>Při příštím spuštění budou nabídnuty znovu</translation>
+    </message>
+    <message>
+        <source>Without a name</source>
+        <translation>Beze jména</translation>
+    </message>
+    <message>
+        <source>Never saved to a file</source>
+        <translation>Nikdy neuloženo do souboru</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Zahodit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n terrain(s) cannot be recovered any more after this.</source>
+        <translation>
+            <numerusform>%n terén už potom nepůjde obnovit.</numerusform>
+            <numerusform>%n terény už potom nepůjde obnovit.</numerusform>
+            <numerusform>%n terénů už potom nepůjde obnovit.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>editor::ShortcutDialog</name>
     <message>
         <source>&amp;Assign</source>
@@ -1423,10 +1545,6 @@
 <context>
     <name>editor::StatusPanel</name>
     <message>
-        <source>Drop an .anim file, a folder of meshes, a point cache or a scene here</source>
-        <translation>Přetáhněte sem soubor .anim, složku sítí, mezipaměť bodů nebo scénu</translation>
-    </message>
-    <message>
         <source>Drag: orbit   Shift+drag: pan   Wheel: zoom   Space: play</source>
         <translation>Tažení: otáčení   Shift+tažení: posun   Kolečko: přiblížení   Mezerník: přehrávání</translation>
     </message>
@@ -1453,13 +1571,21 @@
         <source>Vertices, triangles, frames, frame rate, size of the file</source>
         <translation>Vrcholy, trojúhelníky, snímky, snímková frekvence, velikost souboru</translation>
     </message>
+    <message>
+        <source>Drop an animation, a terrain, a folder of meshes, a scene or an elevation model here</source>
+        <translation>Sem přetáhněte animaci, terén, složku sítí, scénu nebo výškový model</translation>
+    </message>
+    <message>
+        <source>%1 × %2 m</source>
+        <translation>%1 × %2 m</translation>
+    </message>
+    <message>
+        <source>Vertices, triangles, width and depth, size of the file</source>
+        <translation>Vrcholy, trojúhelníky, šířka a hloubka, velikost souboru</translation>
+    </message>
 </context>
 <context>
     <name>editor::WelcomePage</name>
-    <message>
-        <source>Prepares, opens and plays mesh animations</source>
-        <translation>Připravuje, otevírá a přehrává animace sítí</translation>
-    </message>
     <message>
         <source>Samples</source>
         <translation>Ukázky</translation>
@@ -1469,8 +1595,12 @@
         <translation>Nedávné</translation>
     </message>
     <message>
-        <source>You can also drop files here: an .anim file, a folder of OBJ, OFF, PLY or STL meshes, a PC2 or MDD point cache, or a glTF or FBX scene.</source>
-        <translation>Soubory sem můžete také přetáhnout: soubor .anim, složku sítí OBJ, OFF, PLY nebo STL, mezipaměť bodů PC2 nebo MDD nebo scénu glTF či FBX.</translation>
+        <source>Mesh animations and sandy terrain</source>
+        <translation>Animace sítí a písčitý terén</translation>
+    </message>
+    <message>
+        <source>You can also drop files here: an .anim or .terrain file, a folder of OBJ, OFF, PLY or STL meshes, a PC2 or MDD point cache, a glTF or FBX scene, or an elevation model.</source>
+        <translation>Soubory sem můžete také přetáhnout: soubor .anim nebo .terrain, složku sítí OBJ, OFF, PLY nebo STL, mezipaměť bodů PC2 nebo MDD, scénu glTF nebo FBX, nebo výškový model.</translation>
     </message>
 </context>
 <context>
@@ -2062,6 +2192,93 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     </message>
 </context>
 <context>
+    <name>views::ExportTerrainDialog</name>
+    <message>
+        <source>Mesh, OBJ</source>
+        <translation>Síť, OBJ</translation>
+    </message>
+    <message>
+        <source>Mesh, PLY</source>
+        <translation>Síť, PLY</translation>
+    </message>
+    <message>
+        <source>Mesh, STL</source>
+        <translation>Síť, STL</translation>
+    </message>
+    <message>
+        <source>Raster, GeoTIFF</source>
+        <translation>Rastr, GeoTIFF</translation>
+    </message>
+    <message>
+        <source>Raster, ESRI ASCII Grid</source>
+        <translation>Rastr, ESRI ASCII Grid</translation>
+    </message>
+    <message>
+        <source>Raster, PNG with 16 Bits</source>
+        <translation>Rastr, PNG s 16 bity</translation>
+    </message>
+    <message>
+        <source>Contours, GeoJSON</source>
+        <translation>Vrstevnice, GeoJSON</translation>
+    </message>
+    <message>
+        <source>Export Terrain</source>
+        <translation>Export terénu</translation>
+    </message>
+    <message>
+        <source>Output File</source>
+        <translation>Výstupní soubor</translation>
+    </message>
+    <message>
+        <source>In &amp;world coordinates</source>
+        <translation>Ve &amp;světových souřadnicích</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Velikost buňky</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Interval</translation>
+    </message>
+    <message>
+        <source>As the georeference says; else the terrain&apos;s south-western corner is the origin</source>
+        <translation>Podle georeference; jinak je počátkem jihozápadní roh terénu</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>m of height</source>
+        <translation>m výšky</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Formát:</translation>
+    </message>
+    <message>
+        <source>&amp;Output file:</source>
+        <translation>&amp;Výstupní soubor:</translation>
+    </message>
+    <message>
+        <source>&amp;Cell size:</source>
+        <translation>Velikost &amp;buňky:</translation>
+    </message>
+    <message>
+        <source>&amp;Interval:</source>
+        <translation>&amp;Interval:</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 triangles will be written.</source>
+        <translation>Bude zapsáno vrcholů: %1, trojúhelníků: %2.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 samples will be written.</source>
+        <translation>Bude zapsáno %1 × %2 vzorků.</translation>
+    </message>
+</context>
+<context>
     <name>views::FoundSource</name>
     <message>
         <source>Folder of %1 frames</source>
@@ -2212,6 +2429,165 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     </message>
 </context>
 <context>
+    <name>views::ImportTerrainDialog</name>
+    <message>
+        <source>8 bits</source>
+        <translation>8 bitů</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 bitů</translation>
+    </message>
+    <message>
+        <source>16 bits with sign</source>
+        <translation>16 bitů se znaménkem</translation>
+    </message>
+    <message>
+        <source>32 bits</source>
+        <translation>32 bitů</translation>
+    </message>
+    <message>
+        <source>32 bits, floating point</source>
+        <translation>32 bitů, plovoucí čárka</translation>
+    </message>
+    <message>
+        <source>64 bits, floating point</source>
+        <translation>64 bitů, plovoucí čárka</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Zdroj</translation>
+    </message>
+    <message>
+        <source>Import Terrain</source>
+        <translation>Import terénu</translation>
+    </message>
+    <message>
+        <source>Terrains of Other Programs (%1)</source>
+        <translation>Terény jiných programů (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Source:</source>
+        <translation>&amp;Zdroj:</translation>
+    </message>
+    <message>
+        <source>Largest &amp;error:</source>
+        <translation>Největší &amp;chyba:</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Největší chyba</translation>
+    </message>
+    <message>
+        <source>m of height; fewer triangles where it is flat</source>
+        <translation>m výšky; v rovině méně trojúhelníků</translation>
+    </message>
+    <message>
+        <source>&amp;Cell size:</source>
+        <translation>Velikost &amp;buňky:</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Velikost buňky</translation>
+    </message>
+    <message>
+        <source>m, if the file does not say</source>
+        <translation>m, pokud to soubor neuvádí</translation>
+    </message>
+    <message>
+        <source>&amp;Height scale:</source>
+        <translation>&amp;Měřítko výšky:</translation>
+    </message>
+    <message>
+        <source>Height scale</source>
+        <translation>Měřítko výšky</translation>
+    </message>
+    <message>
+        <source>m for 1 in the file</source>
+        <translation>m na 1 v souboru</translation>
+    </message>
+    <message>
+        <source>C&amp;olumns:</source>
+        <translation>S&amp;loupce:</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Sloupce</translation>
+    </message>
+    <message>
+        <source>&amp;Rows:</source>
+        <translation>Řá&amp;dky:</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Řádky</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers:</source>
+        <translation>Čí&amp;sla:</translation>
+    </message>
+    <message>
+        <source>Little end first</source>
+        <translation>Od nejnižšího bajtu</translation>
+    </message>
+    <message>
+        <source>Big end first</source>
+        <translation>Od nejvyššího bajtu</translation>
+    </message>
+    <message>
+        <source>&amp;Bytes:</source>
+        <translation>Ba&amp;jty:</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>&amp;Upwards is:</source>
+        <translation>&amp;Vzhůru je:</translation>
+    </message>
+    <message>
+        <source>EPSG:5514, or nothing; if the file does not say</source>
+        <translation>EPSG:5514, nebo nic; pokud to soubor neuvádí</translation>
+    </message>
+    <message>
+        <source>Coordinate s&amp;ystem:</source>
+        <translation>Souřadnicový s&amp;ystém:</translation>
+    </message>
+    <message>
+        <source>Layers:</source>
+        <translation>Vrstvy:</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importovat</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Choose a file: a raster of heights, points, or a mesh.</source>
+        <translation>Vyberte soubor: výškový rastr, body, nebo síť.</translation>
+    </message>
+    <message>
+        <source>There is no such file.</source>
+        <translation>Takový soubor neexistuje.</translation>
+    </message>
+    <message>
+        <source>Files of this kind cannot be imported.</source>
+        <translation>Soubory tohoto druhu nelze importovat.</translation>
+    </message>
+</context>
+<context>
     <name>views::JobPanel</name>
     <message>
         <source>Cancel</source>
@@ -2232,6 +2608,61 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     <message>
         <source>almost done</source>
         <translation>téměř hotovo</translation>
+    </message>
+</context>
+<context>
+    <name>views::LayersField</name>
+    <message>
+        <source>Dry Sand</source>
+        <translation>Suchý písek</translation>
+    </message>
+    <message>
+        <source>Moist Sand</source>
+        <translation>Vlhký písek</translation>
+    </message>
+    <message>
+        <source>Mud</source>
+        <translation>Bláto</translation>
+    </message>
+    <message>
+        <source>Snow</source>
+        <translation>Sníh</translation>
+    </message>
+    <message>
+        <source>Gravel</source>
+        <translation>Štěrk</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Vlastní</translation>
+    </message>
+    <message>
+        <source>&amp;Add Layer</source>
+        <translation>Přid&amp;at vrstvu</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Tloušťka</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Material of layer %1 from above</source>
+        <translation>Materiál %1. vrstvy shora</translation>
+    </message>
+    <message>
+        <source>Thickness of layer %1 from above</source>
+        <translation>Tloušťka %1. vrstvy shora</translation>
+    </message>
+    <message>
+        <source>Remove layer %1 from above</source>
+        <translation>Odebrat %1. vrstvu shora</translation>
+    </message>
+    <message>
+        <source>Remove this layer</source>
+        <translation>Odebrat tuto vrstvu</translation>
     </message>
 </context>
 <context>
@@ -2340,6 +2771,113 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     <message>
         <source>Dismiss Message</source>
         <translation>Zavřít zprávu</translation>
+    </message>
+</context>
+<context>
+    <name>views::NewTerrainDialog</name>
+    <message>
+        <source>Dunes</source>
+        <translation>Duny</translation>
+    </message>
+    <message>
+        <source>Hills</source>
+        <translation>Kopce</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Rovina</translation>
+    </message>
+    <message>
+        <source>New Terrain</source>
+        <translation>Nový terén</translation>
+    </message>
+    <message>
+        <source>&amp;Shape:</source>
+        <translation>&amp;Tvar:</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>&amp;Width:</source>
+        <translation>Šíř&amp;ka:</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Šířka</translation>
+    </message>
+    <message>
+        <source>&amp;Depth:</source>
+        <translation>&amp;Hloubka:</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Hloubka</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>&amp;Rozlišení:</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Rozlišení</translation>
+    </message>
+    <message>
+        <source>m between vertices</source>
+        <translation>m mezi vrcholy</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>Vý&amp;ška:</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze:</source>
+        <translation>&amp;Velikost:</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Velikost</translation>
+    </message>
+    <message>
+        <source>m from crest to crest</source>
+        <translation>m od hřebene k hřebeni</translation>
+    </message>
+    <message>
+        <source>S&amp;eed:</source>
+        <translation>Semín&amp;ko:</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semínko</translation>
+    </message>
+    <message>
+        <source>another number, another terrain</source>
+        <translation>jiné číslo, jiný terén</translation>
+    </message>
+    <message>
+        <source>Layers:</source>
+        <translation>Vrstvy:</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>V&amp;ytvořit</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>%1 vertices are too many; at most %2 can be made. Choose a larger distance between them.</source>
+        <translation>%1 vrcholů je příliš mnoho; vytvořit jich lze nejvýše %2. Zvolte mezi nimi větší vzdálenost.</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>vrcholů: %1</translation>
     </message>
 </context>
 <context>

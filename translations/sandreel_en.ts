@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>editor::RecoveryDialog</name>
+    <message numerus="yes">
+        <source>%n terrain(s) cannot be recovered any more after this.</source>
+        <translation>
+            <numerusform>%n terrain cannot be recovered any more after this.</numerusform>
+            <numerusform>%n terrains cannot be recovered any more after this.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>views::ExportFramesDialog</name>
     <message numerus="yes">
         <source>%n file(s) will be written.</source>

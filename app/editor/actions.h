@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/editor/documents/documentkind.h"
+
 #include <QAction>
 #include <QKeySequence>
 #include <QObject>
@@ -12,6 +14,8 @@ namespace editor {
 
 enum class ActionId {
     Prepare,
+    NewTerrain,
+    ImportTerrain,
     Open,
     Save,
     SaveAs,
@@ -19,6 +23,7 @@ enum class ActionId {
     ExportPointCache,
     ExportScreenshot,
     ExportPictures,
+    ExportTerrain,
     Reload,
     CloseTab,
     Quit,
@@ -62,6 +67,7 @@ public:
         QAction *action;
         const char *menu; ///< the menu it belongs to, in the translation context "Actions"
         QList<QKeySequence> defaultShortcuts;
+        std::optional<DocumentKind> kind;                    ///< of the documents that it is for; nothing: any, or none
         QString key() const { return action->objectName(); } ///< under which its shortcuts are stored
         /// Its text as in a list: no mnemonic, no ellipsis.
         QString title() const;
@@ -72,7 +78,10 @@ public:
     QAction &operator[](ActionId id) const { return *mById.at(id); }
 
     /// Takes an action that somebody else made (and translates) into the lists; it must have an object name.
-    void adopt(QAction &action, const char *menu);
+    void adopt(QAction &action, const char *menu, std::optional<DocumentKind> kind = {});
+
+    /// Hides the actions that are for documents of another kind; their keys are then free for those that are seen.
+    void showFor(DocumentKind kind);
 
     const std::vector<Entry> &entries() const { return mEntries; }
     void retranslate();

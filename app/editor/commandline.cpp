@@ -49,7 +49,7 @@ std::optional<Theme> theme(const QString &value)
 StartOptions parseCommandLine(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(CommandLine::tr("Sandreel prepares, opens and plays mesh animations."));
+    parser.setApplicationDescription(CommandLine::tr("Sandreel plays mesh animations and shapes sandy terrain."));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     const QCommandLineOption languageOption(

@@ -2,11 +2,13 @@
 #include "app/editor/exportactions.h"
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/terraintab.h"
 #include "app/editor/settings.h"
 #include "app/editor/workspace.h"
 #include "views/dialogs/exportframesdialog.h"
 #include "views/dialogs/exportpicturesdialog.h"
 #include "views/dialogs/exportpointcachedialog.h"
+#include "views/dialogs/exportterraindialog.h"
 #include "views/dialogs/screenshotdialog.h"
 #include "views/viewport/animationviewport.h"
 
@@ -50,6 +52,10 @@ ExportActions::ExportActions(Actions &actions, Workspace &workspace, const Setti
     onTab(ActionId::ExportPointCache, &ExportActions::exportPointCache);
     onTab(ActionId::ExportScreenshot, &ExportActions::exportScreenshot);
     onTab(ActionId::ExportPictures, &ExportActions::exportPictures);
+    connect(&mActions[ActionId::ExportTerrain], &QAction::triggered, this, [this] {
+        if (TerrainTab *tab = mWorkspace.currentTerrain())
+            exportTerrain(*tab);
+    });
     connect(&workspace, &Workspace::currentChanged, this, &ExportActions::update);
     connect(&workspace, &Workspace::currentStateChanged, this, &ExportActions::update);
     update();
@@ -64,6 +70,8 @@ void ExportActions::update()
     mActions[ActionId::ExportPointCache].setEnabled(open);
     mActions[ActionId::ExportScreenshot].setEnabled(drawn);
     mActions[ActionId::ExportPictures].setEnabled(drawn);
+    const TerrainTab *terrain = mWorkspace.currentTerrain();
+    mActions[ActionId::ExportTerrain].setEnabled(terrain && terrain->document().isOpen());
 }
 
 void ExportActions::exportFrames(AnimationTab &tab)
@@ -98,7 +106,16 @@ void ExportActions::exportPictures(AnimationTab &tab)
     present(dialog);
 }
 
-QString ExportActions::proposal(const AnimationTab &tab, const QString &suffix) const
+void ExportActions::exportTerrain(TerrainTab &tab)
+{
+    // The dialog comes a moment later, when there is a snapshot for it.
+    tab.document().takeSnapshot([this, step = tab.document().extras().step, path = proposal(tab, QString())](
+                                    std::shared_ptr<const model::terrain::Terrain> terrain) {
+        present(new views::ExportTerrainDialog(std::move(terrain), step, path, &mWindow));
+    });
+}
+
+QString ExportActions::proposal(const DocumentTab &tab, const QString &suffix) const
 {
     const QString path = tab.document().path();
     const QDir folder(path.isEmpty() ? mSettings.lastFolder() : QFileInfo(path).absolutePath());

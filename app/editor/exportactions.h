@@ -8,6 +8,8 @@
 namespace editor {
 
 class AnimationTab;
+class DocumentTab;
+class TerrainTab;
 class Settings;
 class Workspace;
 
@@ -25,8 +27,9 @@ private:
     void exportPointCache(AnimationTab &tab);
     void exportScreenshot(AnimationTab &tab);
     void exportPictures(AnimationTab &tab);
+    void exportTerrain(TerrainTab &tab);
     /// Beside the document's file, named after it, with `suffix` appended.
-    QString proposal(const AnimationTab &tab, const QString &suffix) const;
+    QString proposal(const DocumentTab &tab, const QString &suffix) const;
 
     Actions &mActions;
     Workspace &mWorkspace;

@@ -2,9 +2,14 @@
 #include "app/editor/fileactions.h"
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/terraintab.h"
+#include "app/editor/recovery/recoverydialog.h"
 #include "app/editor/workspace.h"
 #include "model/io/animationreader.h"
 #include "model/io/errortext.h"
+#include "model/io/terrain/terrainimport.h"
+#include "views/dialogs/importterraindialog.h"
+#include "views/dialogs/newterraindialog.h"
 #include "views/dialogs/preparedialog.h"
 #include "views/dialogs/quantitytext.h"
 #include "views/itemmodels/logmodel.h"
@@ -36,6 +41,8 @@ FileActions::FileActions(Actions &actions, Workspace &workspace, Settings &setti
     };
     connect(&actions[ActionId::Open], &QAction::triggered, this, &FileActions::showOpenDialog);
     connect(&actions[ActionId::Prepare], &QAction::triggered, this, [this] { prepare(QString()); });
+    connect(&actions[ActionId::NewTerrain], &QAction::triggered, this, &FileActions::newTerrain);
+    connect(&actions[ActionId::ImportTerrain], &QAction::triggered, this, [this] { importTerrain(QString()); });
     connect(&actions[ActionId::Quit], &QAction::triggered, &window, &QWidget::close);
     onTab(ActionId::Save, &FileActions::save);
     onTab(ActionId::SaveAs, &FileActions::saveAs);
@@ -61,6 +68,8 @@ void FileActions::openPaths(const QStringList &paths)
             prepare(file.absoluteFilePath());
         } else if (kind) {
             openDocument(*kind, file.absoluteFilePath());
+        } else if (model::io::terrainEndings().contains(file.suffix().toLower())) {
+            importTerrain(file.absoluteFilePath());
         } else {
             tell(tr("%1 cannot be opened.").arg(file.fileName()),
                  model::Error{model::ErrorCode::UnknownFormat, {file.suffix().toStdString()}, path.toStdString()});
@@ -88,7 +97,59 @@ DocumentTab &FileActions::addTab(DocumentKind kind)
     connect(&document, &Document::failed, this, [this, tab](const model::Error &e) { openingFailed(*tab, e); });
     connect(&document, &Document::saved, this, [this, tab] { saved(*tab); });
     connect(&document, &Document::saveFailed, this, [this, tab](const model::Error &e) { savingFailed(*tab, e); });
+    if (TerrainTab *terrain = asTerrain(tab))
+        connect(&terrain->document(), &OpenTerrain::recoveryFailed, this, [this, tab](const model::Error &error) {
+            tell(tr("What happens to %1 is not being recorded: it would not come back after a crash.")
+                     .arg(tab->document().title()),
+                 error);
+        });
     return *tab;
+}
+
+OpenTerrain &FileActions::addTerrain()
+{
+    DocumentTab &tab = addTab(DocumentKind::Terrain);
+    mWorkspace.add(&tab);
+    return asTerrain(&tab)->document();
+}
+
+void FileActions::newTerrain()
+{
+    auto *dialog = new views::NewTerrainDialog(&mWindow);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog] { addTerrain().create(dialog->name(), dialog->description()); });
+    dialog->open();
+}
+
+void FileActions::importTerrain(const QString &source)
+{
+    if (!mImport) {
+        mImport = new views::ImportTerrainDialog(&mWindow);
+        mImport->setAttribute(Qt::WA_DeleteOnClose);
+        connect(mImport, &QDialog::accepted, this, [this, dialog = mImport.data()] {
+            addTerrain().import(dialog->source(), dialog->options(), dialog->layers());
+        });
+    }
+    if (!source.isEmpty())
+        mImport->setSource(source);
+    mImport->open();
+}
+
+void FileActions::offerRecovery()
+{
+    std::vector<Leftover> leftovers = RecoveryEntry::leftovers();
+    if (leftovers.empty())
+        return;
+    auto *dialog = new RecoveryDialog(std::move(leftovers), &mWindow);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &RecoveryDialog::recoverRequested, this, &FileActions::recover);
+    dialog->open();
+}
+
+void FileActions::recover(const Leftover &leftover)
+{
+    addTerrain().recover(leftover);
 }
 
 void FileActions::showOpenDialog()
@@ -215,6 +276,7 @@ void FileActions::close(DocumentTab &tab)
             break;
         }
     }
+    document.abandon();
     mWorkspace.remove(tab);
 }
 

@@ -16,13 +16,16 @@ class QWidget;
 
 namespace views {
 class LogModel;
+class ImportTerrainDialog;
 class PrepareDialog;
 } // namespace views
 
 namespace editor {
 
 class Document;
+class OpenTerrain;
 class Workspace;
+struct Leftover;
 
 /// The life of documents: open, prepare, save, reload, close, and the questions that come with it.
 class FileActions final : public QObject
@@ -35,6 +38,9 @@ public:
     /// Opens documents and samples as tabs; offers to prepare everything else; says what cannot be had.
     void openPaths(const QStringList &paths);
     void prepare(const QString &source);
+
+    /// Asks about what an earlier session left, if it left something.
+    void offerRecovery();
 
     /// May the window close? Asks about unsaved changes. False while something still has to be saved: quitReady()
     /// follows when it is.
@@ -55,6 +61,11 @@ private:
     DocumentTab &addTab(DocumentKind kind);
     void openPrepared(const QString &path, const views::OriginalPtr &original);
     void showOpenDialog();
+    void newTerrain();
+    void importTerrain(const QString &source);
+    /// A tab for a terrain that is to be made.
+    OpenTerrain &addTerrain();
+    void recover(const Leftover &leftover);
     /// Saves to its file; asks for one if it has none. False if the user thought better of it.
     bool save(DocumentTab &tab);
     bool saveAs(DocumentTab &tab);
@@ -76,6 +87,7 @@ private:
     views::LogModel &mLog;
     QWidget &mWindow;
     QPointer<views::PrepareDialog> mPrepare;
+    QPointer<views::ImportTerrainDialog> mImport;
     std::vector<DocumentTab *> mCloseWhenSaved;
     bool mQuitWhenSaved = false;
 };

@@ -51,6 +51,7 @@ int main(int argc, char **argv)
         window.resize(*options.size);
     window.show();
     window.open(options.paths);
+    window.offerRecovery();
     const editor::StartTask task(window, options);
     return QApplication::exec();
 }

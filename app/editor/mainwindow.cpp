@@ -42,6 +42,7 @@ MainWindow::MainWindow(Language &language)
     , mMenus(*this, mActions, mSettings, mLanguage)
     , mStatus(*statusBar(), *mWorkspace)
     , mDrops(*this)
+    , mLayouts(*this, mSettings)
 {
     setObjectName(QStringLiteral("mainWindow"));
     setCentralWidget(mWorkspace);
@@ -58,8 +59,10 @@ MainWindow::MainWindow(Language &language)
     connect(mWorkspace, &Workspace::currentChanged, this, &MainWindow::followDocument);
     connect(mWorkspace, &Workspace::currentStateChanged, this, &MainWindow::followDocument);
     retranslate();
-    followDocument();
     restoreWindow(*this, mSettings);
+    mLayouts.restore(DocumentKind::Animation);
+    mActions.showFor(DocumentKind::Animation);
+    followDocument();
 }
 
 MainWindow::~MainWindow()
@@ -73,12 +76,12 @@ MainWindow::~MainWindow()
 
 void MainWindow::makeToolBars()
 {
-    makeToolBar("fileToolBar", {ActionId::Prepare, ActionId::Open, ActionId::Save});
+    makeToolBar("fileToolBar", {ActionId::Prepare, ActionId::NewTerrain, ActionId::Open, ActionId::Save});
     makeToolBar("editToolBar", {ActionId::Undo, ActionId::Redo, ActionId::Trim, ActionId::Reverse, ActionId::Resample,
                                 ActionId::Normalise});
     QToolBar *view = makeToolBar("viewToolBar",
                                  {ActionId::Shaded, ActionId::ShadedWireframe, ActionId::Wireframe, ActionId::Points});
-    view->addWidget(mViews.makeDensitySlider(view));
+    mDensity = view->addWidget(mViews.makeDensitySlider(view));
     view->addSeparator();
     view->addAction(&mActions[ActionId::Fit]);
     view->addAction(&mActions[ActionId::Statistics]);
@@ -117,8 +120,12 @@ void MainWindow::makeDocks()
     const QList<QAction *> playActions = mTimeline->actions();
     for (QAction *action : playActions) {
         mMenus.playMenu().addAction(action);
-        mActions.adopt(*action, QT_TRANSLATE_NOOP("Actions", "&Play"));
+        mActions.adopt(*action, QT_TRANSLATE_NOOP("Actions", "&Play"), DocumentKind::Animation);
     }
+    mLayouts.add(*mTimeline, DocumentKind::Animation);
+    mLayouts.add(*mCompression, DocumentKind::Animation);
+    mLayouts.add(*mHistory, {});
+    mLayouts.add(*mLogDock, {}, true);
     QList<QAction *> docks;
     for (QDockWidget *dock : std::initializer_list<QDockWidget *>{mTimeline, mCompression, mHistory, mLogDock}) {
         dock->toggleViewAction()->setObjectName(QStringLiteral("view.") + dock->objectName());
@@ -134,6 +141,8 @@ void MainWindow::makeDocks()
 void MainWindow::followDocument()
 {
     DocumentTab *tab = mWorkspace->current();
+    if (tab)
+        showKind(tab->document().kind()); // without a tab everything stays as it is
     mHistory->setContext(tab ? tab->document().context() : nullptr);
     AnimationTab *animation = mWorkspace->currentAnimation();
     commands::AnimationContext *context = animation ? animation->document().context() : nullptr;
@@ -143,6 +152,14 @@ void MainWindow::followDocument()
     if (tab)
         connect(&tab->document(), &Document::aboutToBeReplaced, this, &MainWindow::letGo, Qt::UniqueConnection);
     showTitle();
+}
+
+void MainWindow::showKind(DocumentKind kind)
+{
+    mLayouts.show(kind);
+    mActions.showFor(kind);
+    for (QAction *action : {mMenus.playMenu().menuAction(), mDensity})
+        action->setVisible(kind == DocumentKind::Animation);
 }
 
 void MainWindow::letGo()
@@ -170,8 +187,12 @@ void MainWindow::closeEvent(QCloseEvent *event)
         event->ignore();
         return;
     }
-    if (!isFullScreen())
+    if (!isFullScreen()) {
         saveWindow(*this, mSettings);
+        mLayouts.save();
+    }
+    for (DocumentTab *tab : mWorkspace->tabs())
+        tab->document().abandon(); // saved, or the user said that it need not be
     event->accept();
 }
 

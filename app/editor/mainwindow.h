@@ -3,6 +3,7 @@
 
 #include "app/editor/actions.h"
 #include "app/editor/compareactions.h"
+#include "app/editor/docklayouts.h"
 #include "app/editor/droptarget.h"
 #include "app/editor/editactions.h"
 #include "app/editor/exportactions.h"
@@ -42,6 +43,8 @@ public:
     ~MainWindow() override;
 
     void open(const QStringList &paths) { mFiles.openPaths(paths); }
+    /// Asks about what an earlier session left, if it left something.
+    void offerRecovery() { mFiles.offerRecovery(); }
     Workspace &workspace() { return *mWorkspace; }
     Actions &actions() { return mActions; }
     views::LogModel &log() { return mLog; }
@@ -55,6 +58,7 @@ private:
     void makeToolBars();
     QToolBar *makeToolBar(const char *key, std::initializer_list<ActionId> ids);
     void followDocument();
+    void showKind(DocumentKind kind);
     void letGo();
     void showTitle();
     void retranslate();
@@ -75,11 +79,13 @@ private:
     Menus mMenus;
     StatusPanel mStatus;
     DropTarget mDrops;
+    DockLayouts mLayouts;
     views::TimelineDock *mTimeline = nullptr;
     views::CompressionDock *mCompression = nullptr;
     views::HistoryDock *mHistory = nullptr;
     views::LogDock *mLogDock = nullptr;
     QList<QToolBar *> mToolBars;
+    QAction *mDensity = nullptr; ///< the slider in its toolbar
 };
 
 } // namespace editor

@@ -52,7 +52,9 @@ QMenu *Menus::addMenu(QMenu *parent, const char *title, const QString &iconName)
 void Menus::fillFile()
 {
     QMenu *menu = addMenu(nullptr, QT_TRANSLATE_NOOP("Actions", "&File"));
-    menu->addAction(&mActions[ActionId::Prepare]);
+    for (const ActionId id : {ActionId::Prepare, ActionId::NewTerrain, ActionId::ImportTerrain})
+        menu->addAction(&mActions[id]);
+    menu->addSeparator();
     menu->addAction(&mActions[ActionId::Open]);
     mRecent = addMenu(menu, QT_TRANSLATE_NOOP("Actions", "Open &Recent"), QStringLiteral("recent"));
     connect(mRecent, &QMenu::aboutToShow, this, &Menus::showRecentFiles);
@@ -62,8 +64,8 @@ void Menus::fillFile()
     menu->addAction(&mActions[ActionId::Save]);
     menu->addAction(&mActions[ActionId::SaveAs]);
     QMenu *exports = addMenu(menu, QT_TRANSLATE_NOOP("Actions", "&Export"), QStringLiteral("export"));
-    for (const ActionId id :
-         {ActionId::ExportFrames, ActionId::ExportPointCache, ActionId::ExportScreenshot, ActionId::ExportPictures})
+    for (const ActionId id : {ActionId::ExportFrames, ActionId::ExportPointCache, ActionId::ExportScreenshot,
+                              ActionId::ExportPictures, ActionId::ExportTerrain})
         exports->addAction(&mActions[id]);
     menu->addSeparator();
     menu->addAction(&mActions[ActionId::Reload]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/samples.h"
 
+#include "app/editor/documents/documentkind.h"
+
 #include <QCoreApplication>
 #include <QDir>
 
@@ -10,6 +12,7 @@ namespace {
 
 constexpr std::pair<const char *, const char *> Names[] = {
     {"cloth", QT_TRANSLATE_NOOP("Samples", "Cloth")},
+    {"dunes", QT_TRANSLATE_NOOP("Samples", "Dunes")},
     {"jellyfish", QT_TRANSLATE_NOOP("Samples", "Jellyfish")},
     {"walker", QT_TRANSLATE_NOOP("Samples", "Walker")},
 };
@@ -29,9 +32,10 @@ std::vector<Sample> samples()
 {
     const QDir folder(QStringLiteral(":/samples"));
     std::vector<Sample> result;
-    const QStringList files = folder.entryList({QStringLiteral("*.anim")}, QDir::Files, QDir::Name);
+    const QStringList files = folder.entryList(QDir::Files, QDir::Name);
     for (const QString &file : files)
-        result.push_back({folder.filePath(file), sampleName(file)});
+        if (kindOfFile(file))
+            result.push_back({folder.filePath(file), sampleName(file)});
     return result;
 }
 

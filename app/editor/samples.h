@@ -7,7 +7,7 @@
 
 namespace editor {
 
-/// An animation that comes with the program.
+/// A document that comes with the program.
 struct Sample
 {
     QString path; ///< in the program's resources

@@ -10,7 +10,7 @@ namespace editor {
 namespace {
 
 constexpr auto GeometryKey = "window/geometry";
-constexpr auto StateKey = "window/state";
+constexpr auto StateGroup = "window/state/";
 constexpr auto ThemeKey = "interface/theme";
 constexpr auto LanguageKey = "interface/language";
 constexpr auto LastFolderKey = "files/lastFolder";
@@ -31,16 +31,19 @@ QByteArray Settings::windowGeometry() const
     return QSettings().value(GeometryKey).toByteArray();
 }
 
-QByteArray Settings::windowState() const
+void Settings::setWindowGeometry(const QByteArray &geometry)
 {
-    return QSettings().value(StateKey).toByteArray();
+    QSettings().setValue(GeometryKey, geometry);
 }
 
-void Settings::setWindow(const QByteArray &geometry, const QByteArray &state)
+QByteArray Settings::windowState(const QString &name) const
 {
-    QSettings settings;
-    settings.setValue(GeometryKey, geometry);
-    settings.setValue(StateKey, state);
+    return QSettings().value(StateGroup + name).toByteArray();
+}
+
+void Settings::setWindowState(const QString &name, const QByteArray &state)
+{
+    QSettings().setValue(StateGroup + name, state);
 }
 
 Theme Settings::theme() const

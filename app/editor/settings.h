@@ -21,9 +21,10 @@ public:
     static constexpr int MaxRecentFiles = 12;
 
     QByteArray windowGeometry() const;
-    /// Docks and toolbars as QMainWindow::saveState gives them.
-    QByteArray windowState() const;
-    void setWindow(const QByteArray &geometry, const QByteArray &state);
+    void setWindowGeometry(const QByteArray &geometry);
+    /// Docks and toolbars as QMainWindow::saveState gives them, by the name of what they are arranged for.
+    QByteArray windowState(const QString &name) const;
+    void setWindowState(const QString &name, const QByteArray &state);
 
     Theme theme() const;
     void setTheme(Theme theme);

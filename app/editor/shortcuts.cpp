@@ -13,8 +13,11 @@ std::vector<const Actions::Entry *> entriesWithKey(const Actions &actions, const
                                                    const Actions::Entry *except)
 {
     std::vector<const Actions::Entry *> result;
+    const auto areNeverTogether = [except](const Actions::Entry &entry) {
+        return except && except->kind && entry.kind && except->kind != entry.kind;
+    };
     for (const Actions::Entry &entry : actions.entries())
-        if (&entry != except && entry.action->shortcuts().contains(key))
+        if (&entry != except && !areNeverTogether(entry) && entry.action->shortcuts().contains(key))
             result.push_back(&entry);
     return result;
 }

@@ -2,6 +2,7 @@
 #include "app/editor/statuspanel.h"
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/terraintab.h"
 #include "app/editor/workspace.h"
 #include "views/dialogs/quantitytext.h"
 
@@ -33,18 +34,25 @@ void StatusPanel::follow()
     if (const AnimationTab *tab = mWorkspace.currentAnimation(); tab && tab->document().isOpen())
         mChanges = connect(&tab->document().context()->document(), &model::AnimationDocument::changed, this,
                            &StatusPanel::update);
+    if (const TerrainTab *tab = mWorkspace.currentTerrain(); tab && tab->document().isOpen())
+        mChanges = connect(&tab->document().terrain(), &model::TerrainDocument::changed, this, &StatusPanel::update);
     update();
 }
 
 void StatusPanel::update()
 {
+    if (const TerrainTab *tab = mWorkspace.currentTerrain(); tab && tab->document().isOpen()) {
+        showTerrain(tab->document());
+        return;
+    }
     const AnimationTab *tab = mWorkspace.currentAnimation();
     const bool open = tab && tab->document().isOpen();
     mNumbers->setVisible(open);
     if (!open) {
-        mHint->setText(mWorkspace.current()
-                           ? QString()
-                           : tr("Drop an .anim file, a folder of meshes, a point cache or a scene here"));
+        mHint->setText(
+            mWorkspace.current()
+                ? QString()
+                : tr("Drop an animation, a terrain, a folder of meshes, a scene or an elevation model here"));
         return;
     }
     mHint->setText(tab->viewport() ? tr("Drag: orbit   Shift+drag: pan   Wheel: zoom   Space: play") : QString());
@@ -60,6 +68,26 @@ void StatusPanel::update()
         parts << views::bytesText(facts->bytes);
     mNumbers->setText(parts.join(QStringLiteral("   ")));
     mNumbers->setToolTip(tr("Vertices, triangles, frames, frame rate, size of the file"));
+}
+
+void StatusPanel::showTerrain(const OpenTerrain &document)
+{
+    const QLocale locale;
+    const model::terrain::Tin &tin = document.terrain().tin();
+    const model::terrain::Rectangle domain = tin.domain();
+    QStringList parts{
+        tr("V %1", "number of vertices").arg(locale.toString(tin.vertexCount())),
+        tr("T %1", "number of triangles").arg(locale.toString(tin.triangleCount())),
+        tr("%1 × %2 m")
+            .arg(locale.toString(domain.high.x - domain.low.x, 'g', 6),
+                 locale.toString(domain.high.y - domain.low.y, 'g', 6)),
+    };
+    if (document.fileBytes() > 0)
+        parts << views::bytesText(document.fileBytes());
+    mNumbers->setVisible(true);
+    mNumbers->setText(parts.join(QStringLiteral("   ")));
+    mNumbers->setToolTip(tr("Vertices, triangles, width and depth, size of the file"));
+    mHint->clear();
 }
 
 } // namespace editor

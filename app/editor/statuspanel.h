@@ -8,9 +8,10 @@ class QStatusBar;
 
 namespace editor {
 
+class OpenTerrain;
 class Workspace;
 
-/// The status bar: what the mouse does at the left, the size of the present animation at the right.
+/// The status bar: what the mouse does at the left, the size of the present document at the right.
 class StatusPanel final : public QObject
 {
     Q_OBJECT
@@ -22,6 +23,7 @@ public:
 private:
     void follow();
     void update();
+    void showTerrain(const OpenTerrain &document);
 
     QStatusBar &mBar;
     Workspace &mWorkspace;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/thumbnails.h"
 
+#include "app/editor/documents/documentkind.h"
 #include "model/io/animfile.h"
+#include "model/io/terrain/terrainfile.h"
+#include "views/dialogs/terrainpicture.h"
 
 #include <QGuiApplication>
 #include <QImage>
@@ -16,7 +19,19 @@ std::uint32_t tellingFrame(std::uint32_t frameCount)
     return frameCount / 3;
 }
 
-model::Result<QImage> drawThumbnail(const QString &path, double ratio, const model::Progress &progress)
+model::Result<QImage> terrainThumbnail(const QString &path, double ratio, const model::Progress &progress)
+{
+    const auto file = model::io::openTerrain(path, progress);
+    if (!file)
+        return model::fail(file.error());
+    QImage image = views::drawTerrain(file->terrain, QSize(Thumbnails::Width, Thumbnails::Height) * ratio, progress);
+    if (image.isNull())
+        return model::fail(model::ErrorCode::Cancelled);
+    image.setDevicePixelRatio(ratio);
+    return image;
+}
+
+model::Result<QImage> animationThumbnail(const QString &path, double ratio, const model::Progress &progress)
 {
     const auto animation = model::io::openAnim(path, progress);
     if (!animation)
@@ -35,6 +50,12 @@ model::Result<QImage> drawThumbnail(const QString &path, double ratio, const mod
             .copy(); // the bytes belong to the picture
     image.setDevicePixelRatio(ratio);
     return image;
+}
+
+model::Result<QImage> drawThumbnail(const QString &path, double ratio, const model::Progress &progress)
+{
+    return kindOfFile(path) == DocumentKind::Terrain ? terrainThumbnail(path, ratio, progress)
+                                                     : animationThumbnail(path, ratio, progress);
 }
 
 } // namespace

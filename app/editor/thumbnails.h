@@ -13,7 +13,7 @@
 
 namespace editor {
 
-/// Small pictures of `.anim` files, drawn one after another in the background, and kept while their files do not
+/// Small pictures of documents, drawn one after another in the background, and kept while their files do not
 /// change.
 class Thumbnails final : public QObject
 {

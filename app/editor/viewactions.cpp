@@ -2,7 +2,9 @@
 #include "app/editor/viewactions.h"
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/terraintab.h"
 #include "app/editor/workspace.h"
+#include "views/terrain/terrainviewport.h"
 #include "views/viewport/animationviewport.h"
 
 #include <QActionGroup>
@@ -44,6 +46,8 @@ ViewActions::ViewActions(Actions &actions, Workspace &workspace, Settings &setti
     connect(&actions[ActionId::Fit], &QAction::triggered, this, [this] {
         if (auto *view = viewport())
             view->fitView();
+        else if (TerrainTab *tab = mWorkspace.currentTerrain(); tab && tab->viewport())
+            tab->viewport()->fitView();
     });
     connect(&actions[ActionId::FullScreen], &QAction::toggled, this, &ViewActions::toggleFullScreen);
     connect(&actions[ActionId::NextTab], &QAction::triggered, this, [this] { mWorkspace.showNeighbour(1); });
@@ -79,7 +83,8 @@ void ViewActions::follow()
     views::AnimationViewport *view = viewport();
     for (const auto &[id, mode] : Modes)
         mActions[id].setEnabled(view != nullptr);
-    mActions[ActionId::Fit].setEnabled(view != nullptr);
+    const TerrainTab *terrain = mWorkspace.currentTerrain();
+    mActions[ActionId::Fit].setEnabled(view || (terrain && terrain->viewport()));
     for (QSlider *slider : mSliders) {
         const QSignalBlocker blocker(slider);
         slider->setEnabled(view && mDrawMode == views::DrawMode::Points);

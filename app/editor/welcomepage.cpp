@@ -91,6 +91,7 @@ WelcomePage::WelcomePage(Actions &actions, const Settings &settings, QWidget *pa
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(Spacing);
     buttons->addWidget(makeButton(actions[ActionId::Prepare], mContent));
+    buttons->addWidget(makeButton(actions[ActionId::NewTerrain], mContent));
     buttons->addWidget(makeButton(actions[ActionId::Open], mContent));
     buttons->addStretch();
 
@@ -225,12 +226,12 @@ void WelcomePage::showEvent(QShowEvent *event)
 
 void WelcomePage::retranslate()
 {
-    mSlogan->setText(tr("Prepares, opens and plays mesh animations"));
+    mSlogan->setText(tr("Mesh animations and sandy terrain"));
     mSamplesTitle->setText(tr("Samples"));
     mRecentTitle->setText(tr("Recent"));
     mHint->setText(
-        tr("You can also drop files here: an .anim file, a folder of OBJ, OFF, PLY or STL meshes, a PC2 or MDD "
-           "point cache, or a glTF or FBX scene."));
+        tr("You can also drop files here: an .anim or .terrain file, a folder of OBJ, OFF, PLY or STL meshes, a PC2 or "
+           "MDD point cache, a glTF or FBX scene, or an elevation model."));
 }
 
 } // namespace editor

@@ -14,7 +14,7 @@ class QVBoxLayout;
 
 namespace editor {
 
-/// What is seen while nothing is open: the two ways to begin, the samples and the recent files, as pictures.
+/// What is seen while nothing is open: the ways to begin, the samples and the recent files, as pictures.
 class WelcomePage final : public QWidget
 {
     Q_OBJECT

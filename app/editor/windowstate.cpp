@@ -9,8 +9,6 @@ namespace editor {
 
 namespace {
 
-// Raised when docks or toolbars come or go, so that an old layout does not hide the new ones.
-constexpr int StateVersion = 1;
 constexpr QSize DefaultSize(1280, 820);
 
 } // namespace
@@ -22,12 +20,11 @@ void restoreWindow(QMainWindow &window, const Settings &settings)
         window.resize(DefaultSize.boundedTo(free.size()));
         window.move(free.center() - window.rect().center());
     }
-    window.restoreState(settings.windowState(), StateVersion);
 }
 
 void saveWindow(const QMainWindow &window, Settings &settings)
 {
-    settings.setWindow(window.saveGeometry(), window.saveState(StateVersion));
+    settings.setWindowGeometry(window.saveGeometry());
 }
 
 } // namespace editor

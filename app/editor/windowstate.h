@@ -7,8 +7,8 @@ class QMainWindow;
 
 namespace editor {
 
-/// Gives the window the size, place, docks and toolbars of the last session; a sensible size on the screen if there is
-/// none, or nothing usable. Call when all docks and toolbars are there.
+/// Gives the window the size and place of the last session; a sensible size on the screen if there is none, or nothing
+/// usable. Its docks and toolbars are those of DockLayouts.
 void restoreWindow(QMainWindow &window, const Settings &settings);
 void saveWindow(const QMainWindow &window, Settings &settings);
 

@@ -85,6 +85,11 @@ AnimationTab *Workspace::currentAnimation() const
     return asAnimation(current());
 }
 
+TerrainTab *Workspace::currentTerrain() const
+{
+    return asTerrain(current());
+}
+
 std::vector<DocumentTab *> Workspace::tabs() const
 {
     std::vector<DocumentTab *> result;

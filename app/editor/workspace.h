@@ -14,6 +14,7 @@ namespace editor {
 
 class AnimationTab;
 class DocumentTab;
+class TerrainTab;
 
 /// The middle of the window: open documents as tabs, or the welcome page while there is none, with messages above.
 class Workspace final : public QWidget
@@ -34,8 +35,9 @@ public:
 
     /// Null while the welcome page is shown.
     DocumentTab *current() const;
-    /// The same if it is an animation.
+    // The same if it is of this kind.
     AnimationTab *currentAnimation() const;
+    TerrainTab *currentTerrain() const;
     /// From left to right.
     std::vector<DocumentTab *> tabs() const;
 

@@ -4,6 +4,7 @@
 #include "model/io/animationwriter.h"
 #include "model/io/animfile.h"
 #include "model/io/errortext.h"
+#include "model/io/terrain/terrainfile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -46,16 +47,26 @@ int main(int argc, char **argv)
     for (const samples::Sample &sample : samples::allSamples())
         names.emplace_back(sample.name);
     std::string name, objFolder, animFile;
+    std::string terrainFile;
     bool list = false;
     options.add_flag("--list", list, "List the samples");
     options.add_option("NAME", name, "Which sample to make")->check(CLI::IsMember(names));
     options.add_option("--obj", objFolder, "Write it as a folder of OBJ frames");
     options.add_option("--anim", animFile, "Write it as an .anim file");
+    options.add_option("--dunes", terrainFile, "Write the sample terrain as a .terrain file");
     CLI11_PARSE(options, argc, argv);
 
     if (list) {
         for (const samples::Sample &sample : samples::allSamples())
             std::cout << sample.name << "  " << sample.description << '\n';
+        return 0;
+    }
+    if (!terrainFile.empty()) {
+        const auto terrain = samples::makeDunes();
+        if (!terrain)
+            return report(terrain.error());
+        if (const auto saved = model::io::saveTerrain(QString::fromStdString(terrainFile), *terrain, {}); !saved)
+            return report(saved.error());
         return 0;
     }
     for (const samples::Sample &sample : samples::allSamples()) {

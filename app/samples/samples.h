@@ -3,6 +3,8 @@
 
 #include "model/animation/compressionsettings.h"
 #include "model/animation/sequence.h"
+#include "model/base/error.h"
+#include "model/terrain/terrain.h"
 
 #include <span>
 
@@ -25,5 +27,8 @@ model::Sequence makeWalker();
 model::Sequence makeJellyfish();
 
 std::span<const Sample> allSamples();
+
+/// Dunes of dry sand on moist sand: the bundled terrain.
+model::Result<model::terrain::Terrain> makeDunes();
 
 } // namespace samples

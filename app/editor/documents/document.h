@@ -32,6 +32,9 @@ public:
     /// unsaved. Precondition: canSave().
     void save(const QString &path);
 
+    /// The user closes it, whether it is saved or not: nothing of it is to be brought back.
+    virtual void abandon() {}
+
     bool isOpening() const { return mOpening.isRunning(); }
     virtual bool isSaving() const { return mSaving.isRunning(); }
     bool isOpen() const { return context() != nullptr; }
@@ -50,6 +53,9 @@ public:
     virtual QString summary() const = 0;
     /// What the user should know of the file that was opened; mostly nothing.
     virtual QString warning() const { return {}; }
+
+    /// Another program that has the file open, as text; mostly none.
+    virtual QString holder() const { return {}; }
 
     /// There is something that the file does not hold.
     virtual bool isModified() const = 0;
@@ -86,8 +92,8 @@ protected:
     void finishSaving(const QString &path, const FileStamp &stamp, int step);
     /// As given to open(); empty for what comes from no file.
     const QString &source() const { return mSource; }
-    /// Saving asks for a path from now on.
-    void forgetPath() { mPath.clear(); }
+    /// Where it is saved from now on; empty: saving asks.
+    void setPath(const QString &path) { mPath = path; }
     /// To be called when it may have become modified, or the file's.
     void updateModified();
 

@@ -2,6 +2,7 @@
 #include "app/editor/documents/documentkind.h"
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/terraintab.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -27,6 +28,7 @@ struct Traits
 
 constexpr Traits Kinds[] = {
     {DocumentKind::Animation, "animation", "anim", QT_TRANSLATE_NOOP("Documents", "Animations"), make<AnimationTab>},
+    {DocumentKind::Terrain, "terrain", "terrain", QT_TRANSLATE_NOOP("Documents", "Terrains"), make<TerrainTab>},
 };
 
 const Traits &traitsOf(DocumentKind kind)
@@ -77,6 +79,11 @@ DocumentTab *makeTab(DocumentKind kind, bool canDraw)
 AnimationTab *asAnimation(DocumentTab *tab)
 {
     return cast<AnimationTab>(tab, DocumentKind::Animation);
+}
+
+TerrainTab *asTerrain(DocumentTab *tab)
+{
+    return cast<TerrainTab>(tab, DocumentKind::Terrain);
 }
 
 } // namespace editor

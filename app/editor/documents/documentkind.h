@@ -10,9 +10,10 @@ namespace editor {
 
 class AnimationTab;
 class DocumentTab;
+class TerrainTab;
 
-enum class DocumentKind { Animation };
-inline constexpr DocumentKind EveryDocumentKind[] = {DocumentKind::Animation};
+enum class DocumentKind { Animation, Terrain };
+inline constexpr DocumentKind EveryDocumentKind[] = {DocumentKind::Animation, DocumentKind::Terrain};
 
 /// Under which settings know it: "animation".
 const char *nameOf(DocumentKind kind);
@@ -28,5 +29,6 @@ DocumentTab *makeTab(DocumentKind kind, bool canDraw);
 
 // The one place that says what is in a tab. Null for null, and for tabs of another kind.
 AnimationTab *asAnimation(DocumentTab *tab);
+TerrainTab *asTerrain(DocumentTab *tab);
 
 } // namespace editor

@@ -78,7 +78,7 @@ void OpenAnimation::read(const QString &path)
             }
             mCut = result->cut;
             if (mCut)
-                forgetPath(); // the file may still be coming
+                setPath({}); // the file may still be coming
             take(std::move(result->animation));
             finishOpening(result->stamp);
         });

@@ -10,43 +10,94 @@ namespace model::io {
 
 using namespace terrain;
 
-Result<Terrain> makeTerrain(const NewTerrain &description)
+namespace {
+
+struct Grid
 {
-    constexpr double MostVertices = 1e8;
-    const double spacing = description.spacing;
-    const double columns = spacing > 0 ? std::ceil(description.width / spacing) : 1;
-    const double rows = spacing > 0 ? std::ceil(description.depth / spacing) : 1;
-    if (!((columns + 1) * (rows + 1) <= MostVertices))
-        return fail(ErrorCode::LimitExceeded, "number of points", std::to_string((columns + 1) * (rows + 1)),
-                    std::to_string(std::uint64_t(MostVertices)));
-    if (description.layers.size() > MaxLayers)
-        return fail(ErrorCode::LimitExceeded, "number of layers", std::to_string(description.layers.size()),
+    double columns, rows; ///< of cells
+};
+
+Grid gridOf(const NewTerrain &description)
+{
+    if (!(description.spacing > 0))
+        return {1, 1};
+    return {std::ceil(description.width / description.spacing), std::ceil(description.depth / description.spacing)};
+}
+
+Result<void> check(const ReliefSettings &relief)
+{
+    if (relief.shape == ReliefShape::Flat)
+        return {};
+    const auto isPositive = [](double value) { return std::isfinite(value) && value > 0; };
+    if (!isPositive(relief.height))
+        return fail(ErrorCode::BadSetting, "height", std::to_string(relief.height), "above 0");
+    if (!isPositive(relief.wavelength))
+        return fail(ErrorCode::BadSetting, "wavelength", std::to_string(relief.wavelength), "above 0");
+    return {};
+}
+
+} // namespace
+
+double vertexCountOf(const NewTerrain &description)
+{
+    const Grid grid = gridOf(description);
+    return (grid.columns + 1) * (grid.rows + 1);
+}
+
+Result<void> addLayers(Terrain &terrain, const std::vector<NewLayer> &layers)
+{
+    if (layers.size() > MaxLayers)
+        return fail(ErrorCode::LimitExceeded, "number of layers", std::to_string(layers.size()),
                     std::to_string(MaxLayers));
-    std::vector<Point3> points;
-    for (double j = 0; j <= rows; ++j)
-        for (double i = 0; i <= columns; ++i)
-            points.push_back({std::min(i * spacing, description.width), std::min(j * spacing, description.depth),
-                              description.height});
-    if (!(spacing > 0))
-        points.clear();
-    auto built = buildTin(points, {{0, 0}, {description.width, description.depth}});
-    if (!built)
-        return fail(built.error());
-    Terrain terrain(std::move(built->tin));
-    terrain.geoReference.originX = description.originX;
-    terrain.geoReference.originY = description.originY;
     TinEdit edit(terrain.tin);
-    if (points.empty())
-        for (VertexId v = 0; v < 4; ++v)
-            edit.setHeight(v, description.height);
-    for (std::size_t l = 0; l < description.layers.size(); ++l) {
-        const NewTerrain::Layer &layer = description.layers[l];
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+        const NewLayer &layer = layers[l];
         terrain.materials.push_back(layer.material);
         edit.addLayer(std::uint32_t(l), std::uint8_t(l));
         for (VertexId v = 0; v < terrain.tin.arrays().vertexSlots(); ++v)
             edit.setLayer(v, std::uint32_t(l), {layer.thickness, float(layer.material.humidity)});
     }
     edit.commit();
+    return {};
+}
+
+Result<Terrain> makeTerrain(const NewTerrain &description, const Progress &progress)
+{
+    constexpr double MostVertices = 1e8;
+    const double spacing = description.spacing;
+    if (!(vertexCountOf(description) <= MostVertices))
+        return fail(ErrorCode::LimitExceeded, "number of points", std::to_string(vertexCountOf(description)),
+                    std::to_string(std::uint64_t(MostVertices)));
+    if (auto checked = check(description.relief); !checked)
+        return fail(checked.error());
+    const Grid grid = gridOf(description);
+    const Relief relief(description.relief);
+    std::vector<Point3> points;
+    for (double j = 0; j <= grid.rows && spacing > 0; ++j) {
+        if (progress.isCancelled())
+            return fail(ErrorCode::Cancelled);
+        progress.report(0.3 * j / grid.rows);
+        for (double i = 0; i <= grid.columns; ++i) {
+            const Point2 p{std::min(i * spacing, description.width), std::min(j * spacing, description.depth)};
+            points.push_back({p.x, p.y, description.height + relief.heightAt(p)});
+        }
+    }
+    auto built = buildTin(points, {{0, 0}, {description.width, description.depth}});
+    if (!built)
+        return fail(built.error());
+    Terrain terrain(std::move(built->tin));
+    terrain.geoReference.originX = description.originX;
+    terrain.geoReference.originY = description.originY;
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
+    progress.report(0.7);
+    TinEdit edit(terrain.tin);
+    if (points.empty())
+        for (VertexId v = 0; v < 4; ++v)
+            edit.setHeight(v, description.height + relief.heightAt(terrain.tin.arrays().points[v]));
+    edit.commit();
+    if (auto added = addLayers(terrain, description.layers); !added)
+        return fail(added.error());
     return terrain;
 }
 

@@ -455,6 +455,16 @@ Result<RecoveredTerrain> replay(std::span<const std::uint8_t> journal, std::span
 
 } // namespace
 
+JournalFrame frameOfChanges(const EditChanges &changes, const TinArrays &tin)
+{
+    return {EditFrame, formatEdit(changes, tin)};
+}
+
+JournalFrame frameOfSettings(const Terrain &terrain)
+{
+    return {SettingsFrame, jsonBytes(settingsOf(terrain))};
+}
+
 Result<RecoveryBase> recoveryBaseOf(const QString &path)
 {
     FileBuffer buffer;
@@ -509,7 +519,7 @@ Result<void> RecoveryJournal::addEdit(const Edit &edit, const Terrain &terrain)
         return {};
     const EditChanges changes = changesOf(edit, terrain.tin.arrays());
     if (!changes.changesLayers)
-        return append(EditFrame, formatEdit(changes, terrain.tin.arrays()));
+        return add(frameOfChanges(changes, terrain.tin.arrays()));
     // Every vertex has other layers now.
     const Result<Bytes> snapshot = formatTerrain(terrain, {});
     return snapshot ? append(SnapshotFrame, *snapshot) : fail(snapshot.error());
@@ -517,7 +527,7 @@ Result<void> RecoveryJournal::addEdit(const Edit &edit, const Terrain &terrain)
 
 Result<void> RecoveryJournal::addSettings(const Terrain &terrain)
 {
-    return append(SettingsFrame, jsonBytes(settingsOf(terrain)));
+    return add(frameOfSettings(terrain));
 }
 
 Result<void> RecoveryJournal::sync(int interval)
@@ -535,6 +545,23 @@ Result<RecoveredTerrain> replayJournal(std::span<const std::uint8_t> journal, st
                                        std::uint64_t memoryLimit, const Progress &progress)
 {
     return catchBadAlloc([&] { return replay(journal, saved, memoryLimit, progress); });
+}
+
+Result<RecoveryBase> journalBaseOf(const QString &journalPath)
+{
+    // The base is the first frame: a snapshot after it may be large, and is not wanted here.
+    constexpr qint64 MostBytes = 64 * 1024;
+    QFile file(journalPath);
+    if (!file.exists())
+        return failIn(journalPath, ErrorCode::NotFound);
+    if (!file.open(QIODevice::ReadOnly))
+        return failIn(file, ErrorCode::CannotOpen);
+    const QByteArray bytes = file.read(MostBytes);
+    std::uint64_t tornBytes = 0;
+    auto base =
+        readFrames({reinterpret_cast<const std::uint8_t *>(bytes.constData()), std::size_t(bytes.size())}, tornBytes)
+            .and_then(readBase);
+    return base ? base : failIn(journalPath, base.error());
 }
 
 Result<RecoveredTerrain> recoverTerrain(const QString &journalPath, const Progress &progress)

@@ -21,6 +21,17 @@ struct RecoveryBase
 /// The base that the file at `path` is. \error NotFound, CannotOpen, CannotRead
 Result<RecoveryBase> recoveryBaseOf(const QString &path);
 
+/// What RecoveryJournal::add() appends: made where the terrain is edited, written where nobody waits.
+struct JournalFrame
+{
+    std::uint8_t kind = 0;
+    Bytes payload;
+};
+/// What edits did to vertices and constraints. \param changes  on whose new side `tin` is; not of the layers' number
+JournalFrame frameOfChanges(const terrain::EditChanges &changes, const terrain::TinArrays &tin);
+/// The materials and the georeference.
+JournalFrame frameOfSettings(const terrain::Terrain &terrain);
+
 /// Everything since the last save, appended as it happens, so that it comes back after a crash. FORMAT.md, 8.
 ///
 /// A frame is its length, its checksum, and what changed as it is afterwards, by points: replaying needs no numbers of
@@ -37,6 +48,9 @@ public:
     Result<void> addEdit(const terrain::Edit &edit, const terrain::Terrain &terrain);
     /// After materials or georeference were changed. \error CannotWrite
     Result<void> addSettings(const terrain::Terrain &terrain);
+
+    /// \error CannotWrite
+    Result<void> add(const JournalFrame &frame) { return append(frame.kind, frame.payload); }
 
     /// Makes what was added safe from a power cut, if the last time was `interval` milliseconds ago or more. A crash of
     /// the program alone loses nothing in any case. \error CannotWrite
@@ -56,6 +70,10 @@ private:
     std::uint64_t mBytes = 0;
     bool mIsDirty = false;
 };
+
+/// What a journal says that it continues, without reading more of it than that.
+/// \error NotFound, CannotOpen, CannotRead; BadMagic, UnsupportedVersion, Truncated
+Result<RecoveryBase> journalBaseOf(const QString &journalPath);
 
 /// What a journal gives back.
 struct RecoveredTerrain

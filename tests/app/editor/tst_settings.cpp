@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/docklayouts.h"
 #include "app/editor/settings.h"
 #include "app/editor/windowstate.h"
 #include "tests/support/testmain.h"
@@ -42,7 +43,7 @@ private slots:
         window.addDockWidget(Qt::LeftDockWidgetArea, dock);
         const QByteArray future = window.saveState(99);
         QTest::newRow("future") << future;
-        QTest::newRow("cut") << window.saveState(1).left(20);
+        QTest::newRow("cut") << window.saveState(2).left(20);
         QTest::newRow("noise") << QByteArray(500, '\x5a');
         QTest::newRow("nothing") << QByteArray();
     }
@@ -50,13 +51,18 @@ private slots:
     {
         QFETCH(QByteArray, state);
         Settings settings;
-        settings.setWindow(state, state);
+        settings.setWindowGeometry(state);
+        settings.setWindowState("animation", state);
         QMainWindow window;
         auto *dock = new QDockWidget(&window);
         dock->setObjectName("ourDock");
         window.addDockWidget(Qt::RightDockWidgetArea, dock);
         editor::restoreWindow(window, settings);
+        editor::DockLayouts layouts(window, settings);
+        layouts.add(*dock, {});
+        layouts.restore(editor::DocumentKind::Animation);
         QCOMPARE(window.dockWidgetArea(dock), Qt::RightDockWidgetArea);
+        QVERIFY(!dock->isHidden());
         QVERIFY(window.width() >= 200 && window.height() >= 150);
     }
 
@@ -69,6 +75,10 @@ private slots:
             dock->setObjectName("ourDock");
             window.addDockWidget(Qt::LeftDockWidgetArea, dock);
             window.resize(640, 480);
+            editor::DockLayouts layouts(window, settings);
+            layouts.add(*dock, {});
+            layouts.restore(editor::DocumentKind::Animation);
+            layouts.save();
             editor::saveWindow(window, settings);
         }
         QMainWindow window;
@@ -76,6 +86,9 @@ private slots:
         dock->setObjectName("ourDock");
         window.addDockWidget(Qt::RightDockWidgetArea, dock);
         editor::restoreWindow(window, settings);
+        editor::DockLayouts layouts(window, settings);
+        layouts.add(*dock, {});
+        layouts.restore(editor::DocumentKind::Animation);
         QCOMPARE(window.dockWidgetArea(dock), Qt::LeftDockWidgetArea);
         QCOMPARE(window.size(), QSize(640, 480));
     }

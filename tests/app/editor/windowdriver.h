@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/terraintab.h"
 #include "app/editor/language.h"
 #include "app/editor/mainwindow.h"
 #include "model/animation/compressionsettings.h"
@@ -21,6 +22,8 @@ struct WindowDriver
 
     /// Precondition: the current tab is an animation's.
     editor::OpenAnimation &document() { return window.workspace().currentAnimation()->document(); }
+    /// Precondition: the current tab is a terrain's.
+    editor::OpenTerrain &terrain() { return window.workspace().currentTerrain()->document(); }
     QAction &action(editor::ActionId id) { return window.actions()[id]; }
     /// Waits until nothing is being opened or saved.
     bool settle();
