@@ -115,9 +115,9 @@ struct Info
 double areaOfGround(const TinArrays &tin)
 {
     CompensatedSum sum;
-    for (VertexId v = 0; v < tin.vertexSlots(); ++v)
-        if (tin.isVertex(v))
-            sum.add(tin.areas[v]);
+    for (TriangleId t = 0; t < tin.triangleSlots(); ++t)
+        if (tin.isTriangle(t) && !tin.isVoid(t))
+            sum.add(areaOf(tin, t));
     return sum.value();
 }
 

@@ -72,7 +72,7 @@ void erosionColumn(benchmark::State &state)
         double top = 0, covered = 0;
         for (VertexId v = 0; v < tin.arrays().vertexSlots(); ++v) {
             top = std::max(top, tin.arrays().heights[v]);
-            covered += tin.arrays().heights[v] > 1e-9 ? tin.arrays().areas[v] : 0;
+            covered += tin.arrays().heights[v] > 1e-9 ? dualArea(tin.arrays(), v) : 0;
         }
         const double slope = std::tan(30 * Degree), radius = std::cbrt(3 * volume / (M_PI * slope));
         state.counters["slope"] = steepestFace(tin);

@@ -35,6 +35,15 @@ struct Times
     }
 };
 
+/// Waves that rise by a seventh at most: few vertices under a tool lie deeper than its sole.
+Tin gentleGround(std::size_t size)
+{
+    std::vector<Point3> points = randomPoints(size, 1);
+    for (Point3 &p : points)
+        p.z *= 1.0 / 64;
+    return std::move(buildTin(points, {{0, 0}, {1, 1}})->tin);
+}
+
 /// Stamps that are undone one by one: each finds the TIN as it was built.
 Times stampTimes(Tin &tin, double radius, int count)
 {
@@ -59,7 +68,7 @@ Times stampTimes(Tin &tin, double radius, int count)
 void benchStamps(std::size_t largest)
 {
     for (std::size_t size = largest / 100; size <= largest; size *= 10) {
-        Tin tin = std::move(buildTin(randomPoints(size, 1), {{0, 0}, {1, 1}})->tin);
+        Tin tin = gentleGround(size);
         const double hundred = std::sqrt(100 / (M_PI * double(size)));
         const Times times = stampTimes(tin, hundred, 1000);
         std::printf("%-24s %9zu  p50 %.3f ms  p99 %.3f ms  undo p50 %.3f ms  p99 %.3f ms\n", "stamp on 100 vertices",

@@ -94,7 +94,6 @@ void Erosion::slide(TinEdit &edit, std::vector<Active> start, const Manner &mann
                  splitLongEdges(edit, tooLong, manner.longestEdge, LargestAddition, statistics.addedVertices, progress))
                 start.push_back({t, false});
         tooLong.clear();
-        edit.updateAreas();
         Patch patch(tin, slopes, mSettings.material, mIds);
         if (statistics.addedVertices < LargestAddition)
             patch.watchForLongEdges(manner.longestEdge);
@@ -184,7 +183,6 @@ void Erosion::slideCoarsely(TinEdit &edit, std::span<const Active> steep, const 
     const Tin &tin = edit.tin();
     const TinArrays &arrays = tin.arrays();
     const SlopeTable slopes(arrays.totals.layers, mMaterials, mSettings.material);
-    edit.updateAreas();
     Patch patch(tin, slopes, mSettings.material, mIds);
     for (const Active &active : steep)
         patch.add(active.triangle);
@@ -202,7 +200,7 @@ void Erosion::slideCoarsely(TinEdit &edit, std::span<const Active> steep, const 
     CompensatedSum volume;
     for (VertexId v = 0; v < arrays.vertexSlots(); ++v)
         if (bounds.contains(arrays.points[v]))
-            volume.add(arrays.areas[v] * std::max(0.0, arrays.heights[v] - bottom));
+            volume.add(dualArea(arrays, v) * std::max(0.0, arrays.heights[v] - bottom));
     const double reach = std::cbrt(3 * volume.value() / (M_PI * slope));
     const Rectangle around{{bounds.low.x - reach, bounds.low.y - reach},
                            {bounds.high.x + reach, bounds.high.y + reach}};

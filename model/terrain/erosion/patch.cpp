@@ -114,7 +114,7 @@ std::uint32_t Patch::addVertex(VertexId v)
         return local;
     local = std::uint32_t(mVertices.size());
     const TinArrays &tin = mTin->arrays();
-    mVertices.push_back({tin.points[v].x, tin.points[v].y, tin.heights[v], 1 / tin.areas[v]});
+    mVertices.push_back({tin.points[v].x, tin.points[v].y, tin.heights[v], 1 / dualArea(tin, v)});
     mIds.push_back(v);
     mIsWhole.push_back(0);
     mFloors.push_back(mLayers > 0 ? tin.bedrock(v) : -Infinity);

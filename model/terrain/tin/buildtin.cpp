@@ -88,8 +88,6 @@ struct TinBuilder
             }
             built.vertexOf[i] = near;
         }
-        for (VertexId v = 0; v < tin.vertexSlots(); ++v)
-            tin.areas[v] = dualArea(tin, v);
         tin.totals.ledger.start = built.tin.volume();
         built.tin.mHints.build(tin, domain);
         return built;

@@ -52,10 +52,13 @@ void DiscSearch::search(const Tin &tin, Point2 centre, double radius, VertexId n
                     mVertices.push_back(v);
             }
             const Corner o = arrays.opposite(c);
-            if (o != NoCorner &&
-                squaredDistance(centre, arrays.pointAt(next(c)), arrays.pointAt(previous(c))) <= squaredRadius &&
-                mTriangleMarks.set(triangleOf(o)))
+            if (o == NoCorner || mTriangleMarks.isSet(triangleOf(o)))
+                continue;
+            const Point2 a = arrays.pointAt(next(c)), b = arrays.pointAt(previous(c));
+            if (squaredDistance(a, centre) <= squaredRadius || squaredDistance(centre, a, b) <= squaredRadius) {
+                mTriangleMarks.set(triangleOf(o));
                 mTriangles.push_back(triangleOf(o));
+            }
         }
     }
     for (const TriangleId t : mTriangles)

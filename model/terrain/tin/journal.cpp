@@ -42,18 +42,18 @@ void appendTail(FlatArray<T> &array, std::vector<T> &tail)
 
 std::size_t Edit::byteSize() const
 {
-    return sizeof(Edit) + bytesOf(mPoints) + bytesOf(mHeights) + bytesOf(mAreas) + bytesOf(mLinks) +
-           bytesOf(mTriangles) + bytesOf(mRecords) + bytesOf(mTail.points) + bytesOf(mTail.heights) +
-           bytesOf(mTail.areas) + bytesOf(mTail.thicknesses) + bytesOf(mTail.humidities) + bytesOf(mColumns.vertices) +
-           bytesOf(mColumns.thicknesses) + bytesOf(mColumns.humidities) +
+    return sizeof(Edit) + bytesOf(mPoints) + bytesOf(mHeights) + bytesOf(mLinks) + bytesOf(mTriangles) +
+           bytesOf(mRecords) + bytesOf(mTail.points) + bytesOf(mTail.heights) + bytesOf(mTail.thicknesses) +
+           bytesOf(mTail.humidities) + bytesOf(mColumns.vertices) + bytesOf(mColumns.thicknesses) +
+           bytesOf(mColumns.humidities) +
            (mAllColumns ? mAllColumns->thicknesses.byteSize() + mAllColumns->humidities.byteSize() : 0) +
            bytesOf(mTail.links) + bytesOf(mTail.triangles) + bytesOf(mTail.records);
 }
 
 bool Edit::isEmpty() const
 {
-    return mPoints.empty() && mHeights.empty() && mAreas.empty() && mLinks.empty() && mTriangles.empty() &&
-           mRecords.empty() && mColumns.vertices.empty() && !mChangesLayers && mBefore.vertices == mAfter.vertices &&
+    return mPoints.empty() && mHeights.empty() && mLinks.empty() && mTriangles.empty() && mRecords.empty() &&
+           mColumns.vertices.empty() && !mChangesLayers && mBefore.vertices == mAfter.vertices &&
            mBefore.triangles == mAfter.triangles && mBefore.records == mAfter.records;
 }
 
@@ -73,9 +73,6 @@ std::vector<SlotRange> Edit::dirtyRanges(TinPart part) const
         break;
     case TinPart::Heights:
         collect(mHeights);
-        break;
-    case TinPart::Areas:
-        collect(mAreas);
         break;
     case TinPart::Triangles:
         collect(mTriangles);
@@ -111,7 +108,6 @@ void Journal::begin(const TinArrays &tin)
     mEdit.mTotals = tin.totals;
     mSeenPoints.resize(mBase.vertices);
     mSeenHeights.resize(mBase.vertices);
-    mSeenAreas.resize(mBase.vertices);
     mSeenColumns.resize(tin.layerCount() ? mBase.vertices : 0);
     mSeenLinks.resize(mBase.vertices);
     mSeenTriangles.resize(mBase.triangles);
@@ -130,7 +126,6 @@ Edit Journal::end(const TinArrays &tin)
     };
     clear(mSeenPoints, mEdit.mPoints);
     clear(mSeenHeights, mEdit.mHeights);
-    clear(mSeenAreas, mEdit.mAreas);
     for (const VertexId v : mEdit.mColumns.vertices)
         mSeenColumns.clear(v);
     mEdit.mChangesLayers = !(mEdit.mTotals.layers == tin.totals.layers);
@@ -213,7 +208,6 @@ void Journal::swap(TinArrays &tin, Edit &edit)
         takeTail(tin, edit);
     swapSlots(edit.mPoints, tin.points);
     swapSlots(edit.mHeights, tin.heights);
-    swapSlots(edit.mAreas, tin.areas);
     for (auto &saved : edit.mLinks) {
         std::swap(saved.value.corner, tin.corners[saved.slot]);
         std::swap(saved.value.constraints, tin.constraints[saved.slot]);
@@ -238,7 +232,6 @@ void Journal::takeTail(TinArrays &tin, Edit &edit)
         tail.links.push_back({tin.corners[v], tin.constraints[v]});
     moveTail(tin.points, edit.mBefore.vertices, tail.points);
     moveTail(tin.heights, edit.mBefore.vertices, tail.heights);
-    moveTail(tin.areas, edit.mBefore.vertices, tail.areas);
     moveTail(tin.records, edit.mBefore.records, tail.records);
     if (!edit.mAllColumns) {
         moveTail(tin.thicknesses, tin.layerSlot(edit.mBefore.vertices, 0), tail.thicknesses);
@@ -253,7 +246,6 @@ void Journal::giveTail(TinArrays &tin, Edit &edit)
     Edit::Tail &tail = edit.mTail;
     appendTail(tin.points, tail.points);
     appendTail(tin.heights, tail.heights);
-    appendTail(tin.areas, tail.areas);
     appendTail(tin.records, tail.records);
     appendTail(tin.thicknesses, tail.thicknesses);
     appendTail(tin.humidities, tail.humidities);
@@ -270,8 +262,8 @@ void Journal::giveTail(TinArrays &tin, Edit &edit)
 
 std::size_t Journal::byteSize() const
 {
-    return mSeenPoints.byteSize() + mSeenColumns.byteSize() + mSeenHeights.byteSize() + mSeenAreas.byteSize() +
-           mSeenLinks.byteSize() + mSeenTriangles.byteSize() + mSeenRecords.byteSize() + mNotedAreas.byteSize();
+    return mSeenPoints.byteSize() + mSeenColumns.byteSize() + mSeenHeights.byteSize() + mSeenLinks.byteSize() +
+           mSeenTriangles.byteSize() + mSeenRecords.byteSize() + mReconnected.byteSize();
 }
 
 } // namespace model::terrain

@@ -18,7 +18,7 @@ struct SlotRange
 };
 
 /// What of the TIN's memory is asked about.
-enum class TinPart : std::uint8_t { Points, Heights, Areas, Triangles, Layers };
+enum class TinPart : std::uint8_t { Points, Heights, Triangles, Layers };
 
 /// One finished change of a TIN, as a value: the bytes of every slot that it wrote, as they are on the other side of
 /// the change. Tin::swap() exchanges the two sides: undo and redo are the same swap, and exact to the byte.
@@ -73,7 +73,7 @@ private:
     struct Tail
     {
         std::vector<Point2> points;
-        std::vector<double> heights, areas, thicknesses;
+        std::vector<double> heights, thicknesses;
         std::vector<float> humidities;
         std::vector<Links> links;
         std::vector<Triangle> triangles;
@@ -82,7 +82,6 @@ private:
 
     std::vector<Saved<Point2>> mPoints;
     std::vector<Saved<double>> mHeights;
-    std::vector<Saved<double>> mAreas;
     Columns mColumns;
     std::optional<AllColumns> mAllColumns; ///< instead of mColumns and the tail's
     std::vector<Saved<Links>> mLinks;
@@ -140,11 +139,6 @@ public:
         if (v < mBase.vertices && mSeenHeights.set(v))
             mEdit.mHeights.push_back({v, tin.heights[v]});
     }
-    void touchArea(const TinArrays &tin, VertexId v)
-    {
-        if (v < mBase.vertices && mSeenAreas.set(v))
-            mEdit.mAreas.push_back({v, tin.areas[v]});
-    }
     void touchColumn(const TinArrays &tin, VertexId v)
     {
         if (v < mBase.vertices && !mEdit.mAllColumns && mSeenColumns.set(v))
@@ -168,13 +162,13 @@ public:
             mEdit.mRecords.push_back({r, tin.records[r]});
     }
 
-    /// Notes that the dual area of `v` has to be computed anew. True if that is news.
-    bool noteArea(VertexId v)
+    /// Notes that `v` was created or connected anew. True if that is news.
+    bool noteReconnected(VertexId v)
     {
-        mNotedAreas.resize(std::size_t(v) + 1);
-        return mNotedAreas.set(v);
+        mReconnected.resize(std::size_t(v) + 1);
+        return mReconnected.set(v);
     }
-    void forgetArea(VertexId v) { mNotedAreas.clear(v); }
+    void forgetReconnected(VertexId v) { mReconnected.clear(v); }
 
     /// Vertex slots of an edit whose vertices may have come or gone.
     template <class Visit>
@@ -199,8 +193,7 @@ private:
     bool mIsRecording = false;
     Edit::Slots mBase;
     Edit mEdit;
-    SlotMarks mSeenPoints, mSeenHeights, mSeenAreas, mSeenColumns, mSeenLinks, mSeenTriangles, mSeenRecords,
-        mNotedAreas;
+    SlotMarks mSeenPoints, mSeenHeights, mSeenColumns, mSeenLinks, mSeenTriangles, mSeenRecords, mReconnected;
 };
 
 } // namespace model::terrain

@@ -229,7 +229,7 @@ void removeVertex(TinWriter &writer, VertexId v)
         writer.touchTriangle(t);
         writer.leak.add(-writer.volumeOf(t, level));
         for (std::uint32_t i = 0; i < 3; ++i)
-            writer.noteArea(writer.tin.vertex(cornerOf(t, i)));
+            writer.noteVertex(writer.tin.vertex(cornerOf(t, i)));
     }
     writer.edges.clear();
     hole.moveCornersOut();

@@ -205,10 +205,6 @@ struct TinRestorer
         if (!finding.isEmpty())
             return finding.failure();
 
-        parallelRanges(vertices, Grain, [&](std::size_t begin, std::size_t end) {
-            for (VertexId v = VertexId(begin); v < end; ++v)
-                arrays.areas[v] = dualArea(arrays, v);
-        });
         Tin tin{domain};
         tin.mArrays = std::move(arrays);
         if (start == LedgerStart::Anew) {

@@ -176,7 +176,7 @@ Corner openSegment(TinWriter &writer, VertexId a, const SegmentStep &step)
         writer.touchTriangle(t);
         writer.leak.add(-writer.volumeOf(t, level));
         for (std::uint32_t i = 0; i < 3; ++i)
-            writer.noteArea(tin.vertex(cornerOf(t, i)));
+            writer.noteVertex(tin.vertex(cornerOf(t, i)));
     }
     const Corner leftBase = PolygonFiller(writer, std::move(left), a, triangles).fill(NoCorner);
     const Corner base = PolygonFiller(writer, std::move(right), step.end, triangles).fill(leftBase);

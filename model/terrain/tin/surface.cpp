@@ -59,6 +59,25 @@ Weights weightsOn(const TinArrays &tin, Corner c, Point2 p)
     return {{tin.vertex(next(c)), tin.vertex(previous(c)), None}, {1 - share, share, 0}};
 }
 
+double dualArea(const TinArrays &tin, VertexId v)
+{
+    double sum = 0;
+    forEachCornerAround(tin, v, [&](Corner c) {
+        if (!tin.isVoid(triangleOf(c)))
+            sum += areaOf(tin, triangleOf(c));
+    });
+    return sum / 3;
+}
+
+bool isOnGround(const TinArrays &tin, VertexId v)
+{
+    if (!tin.isVoid(triangleOf(tin.corners[v])))
+        return true;
+    bool isThere = false;
+    forEachCornerAround(tin, v, [&](Corner c) { isThere = isThere || !tin.isVoid(triangleOf(c)); });
+    return isThere;
+}
+
 Gradient gradientOf(const TinArrays &tin, TriangleId t)
 {
     const VertexId *const v = tin.triangleVertices.data() + 3 * std::size_t(t);

@@ -23,6 +23,17 @@ struct Weights
 };
 Weights weightsIn(const TinArrays &tin, TriangleId t, Point2 p);
 Weights weightsOn(const TinArrays &tin, Corner c, Point2 p);
+/// Of a triangle, positive.
+inline double areaOf(const TinArrays &tin, TriangleId t)
+{
+    const VertexId *const v = tin.triangleVertices.data() + 3 * std::size_t(t);
+    const Point2 a = tin.points[v[0]], b = tin.points[v[1]], c = tin.points[v[2]];
+    return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
+/// The dual area of `v`: a third of its triangles, void ones left out, added up in their order.
+double dualArea(const TinArrays &tin, VertexId v);
+/// Whether any triangle of `v` is no void one.
+bool isOnGround(const TinArrays &tin, VertexId v);
 Gradient gradientOf(const TinArrays &tin, TriangleId t);
 /// The angle between the triangle and the horizontal plane, in radians.
 double slopeOf(const TinArrays &tin, TriangleId t);

@@ -9,6 +9,24 @@
 
 namespace model::terrain {
 
+namespace {
+
+/// The volume between the plane at 0 and what is `height(v)` above it at each vertex.
+template <class Height>
+double volumeUnder(const TinArrays &tin, Height height)
+{
+    CompensatedSum sum;
+    for (TriangleId t = 0; t < tin.triangleSlots(); ++t) {
+        if (tin.triangleFlags[t] & (FreeTriangle | VoidTriangle))
+            continue;
+        const VertexId *const v = tin.triangleVertices.data() + 3 * std::size_t(t);
+        sum.add(areaOf(tin, t) * (height(v[0]) + height(v[1]) + height(v[2])));
+    }
+    return sum.value() / 3;
+}
+
+} // namespace
+
 Tin::Tin(const Rectangle &domain)
     : mDomain(domain)
 {
@@ -29,8 +47,6 @@ Tin::Tin(const Rectangle &domain)
     writer.link(cornerOf(t, 1), cornerOf(u, 2));
     writer.edges = {cornerOf(t, 1)};
     writer.restoreDelaunay();
-    for (VertexId v = 0; v < 4; ++v)
-        mArrays.areas[v] = dualArea(mArrays, v);
     mHints.build(mArrays, mDomain);
 }
 
@@ -73,18 +89,12 @@ std::vector<OwnerId> Tin::ownersOf(VertexId a, VertexId b) const
 
 double Tin::volume() const
 {
-    CompensatedSum sum;
-    for (VertexId v = 0; v < mArrays.vertexSlots(); ++v)
-        sum.add(mArrays.heights[v] * mArrays.areas[v]);
-    return sum.value();
+    return volumeUnder(mArrays, [this](VertexId v) { return mArrays.heights[v]; });
 }
 
 double Tin::layerVolume(std::uint32_t layer) const
 {
-    CompensatedSum sum;
-    for (VertexId v = 0; v < mArrays.vertexSlots(); ++v)
-        sum.add(mArrays.thicknesses[mArrays.layerSlot(v, layer)] * mArrays.areas[v]);
-    return sum.value();
+    return volumeUnder(mArrays, [=, this](VertexId v) { return mArrays.thicknesses[mArrays.layerSlot(v, layer)]; });
 }
 
 void Tin::swap(Edit &edit)
@@ -102,7 +112,6 @@ std::uint64_t Tin::fingerprint() const
     std::uint64_t digest = digestOfArray(std::span(&mDomain, 1));
     digest = digestOfArray(mArrays.points.values(), digest);
     digest = digestOfArray(mArrays.heights.values(), digest);
-    digest = digestOfArray(mArrays.areas.values(), digest);
     digest = digestOfArray(mArrays.corners.values(), digest);
     digest = digestOfArray(mArrays.constraints.values(), digest);
     digest = digestOfArray(mArrays.thicknesses.values(), digest);

@@ -53,7 +53,6 @@ struct TinArrays
     // For each vertex.
     FlatArray<Point2> points;
     FlatArray<double> heights;
-    FlatArray<double> areas;              ///< a third of the area of the vertex' triangles, void ones left out
     FlatArray<Corner> corners;            ///< one corner at the vertex
     FlatArray<std::uint32_t> constraints; ///< its first constraint record
     // For each vertex and layer: layerCount() values of a vertex side by side, from the bedrock up. Empty without
@@ -125,7 +124,6 @@ struct TinArrays
     {
         points.resize(count);
         heights.resize(count);
-        areas.resize(count);
         corners.resize(count);
         constraints.resize(count);
         thicknesses.resize(count * layerCount());
@@ -141,7 +139,6 @@ struct TinArrays
     {
         points.reserve(vertices);
         heights.reserve(vertices);
-        areas.reserve(vertices);
         corners.reserve(vertices);
         constraints.reserve(vertices);
         triangleVertices.reserve(3 * triangles);
@@ -150,7 +147,7 @@ struct TinArrays
     }
     std::size_t byteSize() const
     {
-        return points.byteSize() + heights.byteSize() + areas.byteSize() + corners.byteSize() + constraints.byteSize() +
+        return points.byteSize() + heights.byteSize() + corners.byteSize() + constraints.byteSize() +
                thicknesses.byteSize() + humidities.byteSize() + triangleVertices.byteSize() + opposites.byteSize() +
                triangleFlags.byteSize() + records.byteSize();
     }

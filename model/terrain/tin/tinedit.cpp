@@ -3,6 +3,7 @@
 
 #include "model/terrain/tin/constraintlists.h"
 #include "model/terrain/tin/removal.h"
+#include "model/terrain/tin/ringremoval.h"
 
 #include <algorithm>
 #include <cassert>
@@ -25,7 +26,10 @@ TinEdit::TinEdit(Tin &tin, VolumeRule rule)
     , mArrays(tin.mArrays)
     , mRule(rule)
     , mWriter(tin.mArrays, begun(tin.mJournal, tin.mArrays))
-{}
+{
+    if (rule == VolumeRule::GiveBack)
+        mWriter.noteReconnected();
+}
 
 TinEdit::~TinEdit()
 {
@@ -59,7 +63,6 @@ VertexId TinEdit::insert(Point2 p, VertexId near)
     if (hasLayers)
         mWriter.setColumn(v, weights);
     mWriter.restoreDelaunayAround(v);
-    mWriter.updateManyAreas();
     mTin.mHints.note(v, p);
     return v;
 }
@@ -82,8 +85,19 @@ void TinEdit::remove(VertexId v)
     const Point2 p = mArrays.points[v];
     const VertexId neighbour = mArrays.vertex(next(mArrays.corners[v]));
     removeVertex(mWriter, v);
-    mWriter.updateManyAreas();
     mTin.mHints.replace(v, p, neighbour);
+}
+
+bool TinEdit::removeInside(std::span<const VertexId> ring)
+{
+    assert(mIsOpen);
+    RingInside inside(mArrays, ring);
+    if (inside.vertices().empty())
+        return false;
+    inside.remove(mWriter);
+    for (const VertexId v : inside.vertices())
+        mTin.mHints.replace(v, mArrays.points[v], ring.front());
+    return true;
 }
 
 void TinEdit::setHeight(VertexId v, double height)
@@ -101,18 +115,12 @@ void TinEdit::setHeight(VertexId v, double height)
     mWriter.moveSurface(v, height);
 }
 
-double TinEdit::areaOf(VertexId v)
-{
-    mWriter.updateAreas();
-    return mArrays.areas[v];
-}
-
 void TinEdit::displace(VertexId v, double height)
 {
     assert(mIsOpen);
     const double before = mArrays.heights[v];
     mWriter.moveSurface(v, height);
-    mWriter.leak.add((height - before) * dualArea(mArrays, v));
+    mWriter.leak.add((height - before) * areaOf(v));
 }
 
 void TinEdit::bookLeak(double volume)
@@ -135,34 +143,35 @@ void TinEdit::bookMoved(double volume)
 void TinEdit::giveBack(std::span<const VertexId> vertices, std::span<const double> weights)
 {
     assert(mIsOpen && (weights.empty() || weights.size() == vertices.size()));
-    mWriter.updateAreas();
-    CompensatedSum weighted;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        weighted.add(mArrays.areas[vertices[i]] * (weights.empty() ? 1 : weights[i]));
-    if (!(weighted.value() > 0))
-        return;
-    lift(vertices, weights, -mWriter.leak.value() / weighted.value());
+    lift(vertices, weights, -mWriter.leak.value());
 }
 
 void TinEdit::giveBackVolume(std::span<const VertexId> vertices, double volume)
 {
     assert(mIsOpen);
-    mWriter.updateAreas();
-    CompensatedSum area;
-    for (const VertexId v : vertices)
-        area.add(mArrays.areas[v]);
-    if (area.value() > 0)
-        lift(vertices, {}, volume / area.value());
+    lift(vertices, {}, volume);
 }
 
-void TinEdit::lift(std::span<const VertexId> vertices, std::span<const double> weights, double height)
+/// Raises `vertices`, each by its weight, so that `volume` comes under them.
+void TinEdit::lift(std::span<const VertexId> vertices, std::span<const double> weights, double volume)
 {
+    const auto weight = [&](std::size_t i) { return weights.empty() ? 1 : weights[i]; };
+    std::vector<double> areas;
+    areas.reserve(vertices.size());
+    CompensatedSum weighted;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        areas.push_back(areaOf(vertices[i]));
+        weighted.add(areas[i] * weight(i));
+    }
+    if (!(weighted.value() > 0))
+        return;
+    const double height = volume / weighted.value();
     // What the surface really gains, rounding of the heights and all, is what the leak falls by.
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const VertexId v = vertices[i];
         const double before = mArrays.heights[v];
-        mWriter.moveSurface(v, before + height * (weights.empty() ? 1 : weights[i]));
-        mWriter.leak.add((mArrays.heights[v] - before) * mArrays.areas[v]);
+        mWriter.moveSurface(v, before + height * weight(i));
+        mWriter.leak.add((mArrays.heights[v] - before) * areas[i]);
     }
 }
 
@@ -170,20 +179,14 @@ Edit TinEdit::end()
 {
     assert(mIsOpen);
     mIsOpen = false;
-    mWriter.updateAreas();
+    mWriter.takeReconnected();
     return mTin.mJournal.end(mArrays);
 }
 
 Edit TinEdit::commit()
 {
-    mWriter.updateAreas();
-    if (mRule == VolumeRule::GiveBack && mWriter.leak.value() != 0) {
-        std::vector<VertexId> &to = mWriter.reconnected;
-        std::sort(to.begin(), to.end());
-        to.erase(std::unique(to.begin(), to.end()), to.end());
-        to.erase(std::remove_if(to.begin(), to.end(), [&](VertexId v) { return !mArrays.isVertex(v); }), to.end());
-        giveBack(to);
-    }
+    if (mRule == VolumeRule::GiveBack && mWriter.leak.value() != 0)
+        giveBack(mWriter.takeReconnected());
     // Nothing, or the rounding of the heights; all of it if it is to be kept.
     mArrays.totals.ledger.kept.add(mWriter.leak.value());
     Edit edit = end();

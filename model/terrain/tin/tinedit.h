@@ -43,6 +43,9 @@ public:
     bool canRemove(VertexId v) const;
     /// Precondition: canRemove(v).
     void remove(VertexId v);
+    /// Removes all vertices inside `ring`: edges that each are constrained, counter-clockwise. False if nothing was
+    /// done because not all of them can go, there is a void or a constraint inside, or the ring touches itself.
+    bool removeInside(std::span<const VertexId> ring);
 
     /// Makes the line from `a` to `b` a union of edges, through the vertices that lie on it, and constrains them for
     /// `owner`. \error CrossingConstraints  it crosses a constrained edge, and `crossing` is Refuse, or that edge
@@ -86,11 +89,8 @@ public:
     /// them. They keep the volume, and bookMoved() says how much they moved: the ledger hears nothing of it here.
     /// \param thicknesses, humidities  a value for each layer; not read without layers
     void place(VertexId v, double height, const double *thicknesses, const float *humidities);
-    /// Has TinArrays::areas up to date, for whoever reads them in the midst of an edit.
-    void updateAreas() { mWriter.updateAreas(); }
-
-    /// The dual area of `v` as it is now.
-    double areaOf(VertexId v);
+    /// The dual area of `v` as it is now. Cost: that of going around it.
+    double areaOf(VertexId v) const { return dualArea(mArrays, v); }
 
     /// What the surface gained in volume, and has not given back.
     double leak() const { return mWriter.leak.value(); }
@@ -124,7 +124,7 @@ private:
     void unconstrain(Corner c);
     void split(Corner c, std::vector<Segment> &segments, const Segment &segment);
     bool isFreeOf(const Segment &segment, Crossing crossing, Corner &blocking) const;
-    void lift(std::span<const VertexId> vertices, std::span<const double> weights, double height);
+    void lift(std::span<const VertexId> vertices, std::span<const double> weights, double volume);
     Edit end();
 
     Tin &mTin;

@@ -156,7 +156,7 @@ void TinEdit::setVoid(std::span<const TriangleId> triangles, bool isVoid)
         if (!isVoid)
             mWriter.leak.add(mWriter.volumeOf(t, 0));
         for (std::uint32_t i = 0; i < 3; ++i)
-            mWriter.noteArea(mArrays.vertex(cornerOf(t, i)));
+            mWriter.noteVertex(mArrays.vertex(cornerOf(t, i)));
     }
     // First all borders of voids, so that no flip goes across one.
     std::vector<Corner> freed;

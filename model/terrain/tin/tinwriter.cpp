@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/tin/tinwriter.h"
 
+#include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace model::terrain {
 
@@ -17,23 +19,6 @@ Corner cornerOfEdge(const TinArrays &tin, VertexId a, VertexId b)
     return found;
 }
 
-double areaOf(const TinArrays &tin, TriangleId t)
-{
-    const VertexId *const v = tin.triangleVertices.data() + 3 * std::size_t(t);
-    const Point2 a = tin.points[v[0]], b = tin.points[v[1]], c = tin.points[v[2]];
-    return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-}
-
-double dualArea(const TinArrays &tin, VertexId v)
-{
-    double sum = 0;
-    forEachCornerAround(tin, v, [&](Corner c) {
-        if (!tin.isVoid(triangleOf(c)))
-            sum += areaOf(tin, triangleOf(c));
-    });
-    return sum / 3;
-}
-
 VertexId TinWriter::addVertex(Point2 point, double height)
 {
     VertexId v = tin.totals.freeVertex;
@@ -41,7 +26,6 @@ VertexId TinWriter::addVertex(Point2 point, double height)
         if (mIsRecording) {
             mJournal.touchPoint(tin, v);
             mJournal.touchHeight(tin, v);
-            mJournal.touchArea(tin, v);
             mJournal.touchLinks(tin, v);
             if (tin.layerCount() > 0)
                 mJournal.touchColumn(tin, v);
@@ -53,7 +37,6 @@ VertexId TinWriter::addVertex(Point2 point, double height)
     }
     tin.points[v] = point;
     tin.heights[v] = height;
-    tin.areas[v] = 0;
     tin.corners[v] = NoCorner;
     tin.constraints[v] = None;
     for (std::size_t i = tin.layerSlot(v, 0); i < tin.layerSlot(v + 1, 0); ++i) {
@@ -67,11 +50,7 @@ VertexId TinWriter::addVertex(Point2 point, double height)
 void TinWriter::freeVertex(VertexId v)
 {
     assert(tin.constraints[v] == None);
-    if (mIsRecording) {
-        mJournal.touchLinks(tin, v);
-        mJournal.touchArea(tin, v);
-    }
-    tin.areas[v] = 0;
+    touchLinks(v);
     tin.corners[v] = tin.totals.freeVertex | FreeVertexBit;
     tin.totals.freeVertex = v;
     --tin.totals.vertices;
@@ -137,10 +116,10 @@ void TinWriter::flip(Corner c)
             // The two diagonals and the four sides bound a tetrahedron: it is what the surface gains.
             leak.add((bx * (ez * dy - ey * dz) + by * (ex * dz - ez * dx) + bz * (ey * dx - ex * dy)) / 6);
         }
-        noteArea(a);
-        noteArea(b);
-        noteArea(d);
-        noteArea(e);
+        noteVertex(a);
+        noteVertex(b);
+        noteVertex(d);
+        noteVertex(e);
     }
     // From a-b-d and e-d-b to a-b-e and e-d-a: c and o keep their vertices.
     const Corner outerBe = tin.opposites[slotOf(next(o))], outerDa = tin.opposites[slotOf(next(c))];
@@ -176,7 +155,7 @@ void TinWriter::splitTriangle(TriangleId t, VertexId v)
     link(cornerOf(u, 1), cornerOf(w, 2));
     link(cornerOf(w, 1), cornerOf(t, 2));
     for (const VertexId corner : {v, a, b, c})
-        noteArea(corner);
+        noteVertex(corner);
     edges.assign({cornerOf(t, 0), cornerOf(u, 0), cornerOf(w, 0)});
 }
 
@@ -205,7 +184,7 @@ void TinWriter::splitEdge(Corner c, VertexId v)
         link(cornerOf(t, 2), BorderOpposite);
         link(cornerOf(t2, 1), BorderOpposite);
         for (const VertexId corner : {v, a, b, d})
-            noteArea(corner);
+            noteVertex(corner);
         edges.assign({cornerOf(t, 0), cornerOf(t2, 0)});
         return;
     }
@@ -235,7 +214,7 @@ void TinWriter::splitEdge(Corner c, VertexId v)
     link(cornerOf(u, 1), cornerOf(u2, 2));
     link(cornerOf(u2, 1), cornerOf(t, 2) | bit);
     for (const VertexId corner : {v, a, b, d, e})
-        noteArea(corner);
+        noteVertex(corner);
     edges.assign({cornerOf(t, 0), cornerOf(t2, 0), cornerOf(u, 0), cornerOf(u2, 0)});
 }
 
@@ -270,17 +249,15 @@ void TinWriter::restoreDelaunay()
     }
 }
 
-void TinWriter::updateAreas()
+std::vector<VertexId> TinWriter::takeReconnected()
 {
-    for (const VertexId v : mAreasToDo) {
-        mJournal.forgetArea(v);
-        if (!tin.isVertex(v))
-            continue;
-        mJournal.touchArea(tin, v);
-        tin.areas[v] = dualArea(tin, v);
-        reconnected.push_back(v);
-    }
-    mAreasToDo.clear();
+    for (const VertexId v : mReconnected)
+        mJournal.forgetReconnected(v);
+    std::vector<VertexId> taken = std::exchange(mReconnected, {});
+    taken.erase(std::remove_if(taken.begin(), taken.end(), [this](VertexId v) { return !tin.isVertex(v); }),
+                taken.end());
+    std::sort(taken.begin(), taken.end());
+    return taken;
 }
 
 void TinWriter::loseVolume(std::initializer_list<TriangleId> triangles, VertexId level)

@@ -11,7 +11,8 @@
 namespace model::terrain {
 
 /// The steps that all changes of a TIN are made of. Each saves what it writes in the journal, where that is recording,
-/// remembers whose dual areas it changed, and adds up by how much it changed the volume under the surface.
+/// remembers what it connected anew if anybody wants to know, and adds up by how much it changed the volume under the
+/// surface.
 class TinWriter
 {
 public:
@@ -112,21 +113,15 @@ public:
     /// The same after `v` was put in by a split: faster.
     void restoreDelaunayAround(VertexId v);
 
-    void noteArea(VertexId v)
+    /// From now on takeReconnected() gives the vertices that were created or connected anew.
+    void noteReconnected() { mDoesNote = true; }
+    void noteVertex(VertexId v)
     {
-        if (mIsRecording && mJournal.noteArea(v))
-            mAreasToDo.push_back(v);
+        if (mDoesNote && mJournal.noteReconnected(v))
+            mReconnected.push_back(v);
     }
-    /// Recomputes dual areas if many are noted: while their triangles are still in the cache. For the end of an
-    /// operation, when the triangulation is whole.
-    void updateManyAreas()
-    {
-        if (mAreasToDo.size() >= ManyAreas)
-            updateAreas();
-    }
-    /// Recomputes the dual areas of all vertices noted; they are appended to `reconnected`.
-    void updateAreas();
-    std::vector<VertexId> reconnected;
+    /// Those that are still there, ascending; and forgets them.
+    std::vector<VertexId> takeReconnected();
 
     /// What the steps so far changed the volume under the surface by.
     CompensatedSum leak;
@@ -141,18 +136,10 @@ private:
 
     void moveLayers(VertexId v, double up);
 
-    /// So many that a stamp's neighbours are computed once, so few that their triangles should still be in the cache.
-    /// Not measured apart from what else was changed with it (README.md, Choices).
-    static constexpr std::size_t ManyAreas = 512;
-
     Journal &mJournal;
     const bool mIsRecording;
-    std::vector<VertexId> mAreasToDo;
+    bool mDoesNote = false;
+    std::vector<VertexId> mReconnected;
 };
-
-/// The dual area of `v`, added up in the order of its triangles.
-double dualArea(const TinArrays &tin, VertexId v);
-/// Of a triangle, positive.
-double areaOf(const TinArrays &tin, TriangleId t);
 
 } // namespace model::terrain

@@ -11,8 +11,8 @@ namespace model::terrain {
 
 namespace {
 
-/// Dual areas are sums of a vertex' own triangles: what differs is rounding.
-constexpr double AreaTolerance = 1e-9;
+/// Of the length of the border, added up edge by edge: what differs is rounding.
+constexpr double LengthTolerance = 1e-9;
 
 class Inspection
 {
@@ -36,7 +36,6 @@ public:
         if (mDefects.empty()) {
             inspectTriangles();
             inspectBorder();
-            inspectAreas();
             inspectLayers();
             if (inspectRecords())
                 inspectConstraints();
@@ -54,8 +53,8 @@ private:
     void inspectSizes()
     {
         const std::size_t v = mTin.corners.size(), t = mTin.triangleFlags.size();
-        if (mTin.points.size() != v || mTin.heights.size() != v || mTin.areas.size() != v ||
-            mTin.constraints.size() != v || mTin.triangleVertices.size() != 3 * t || mTin.opposites.size() != 3 * t)
+        if (mTin.points.size() != v || mTin.heights.size() != v || mTin.constraints.size() != v ||
+            mTin.triangleVertices.size() != 3 * t || mTin.opposites.size() != 3 * t)
             report(TinRule::FreeList);
         const std::uint32_t layers = mTin.layerCount();
         if (layers > MaxLayers || mTin.thicknesses.size() != v * layers || mTin.humidities.size() != v * layers)
@@ -70,7 +69,7 @@ private:
         std::uint32_t left = mTin.vertexSlots() - used;
         VertexId v = mTin.totals.freeVertex;
         for (; v != NoFreeVertex && left > 0; --left) {
-            if (v >= mTin.vertexSlots() || mTin.isVertex(v) || mTin.areas[v] != 0 || mTin.constraints[v] != None)
+            if (v >= mTin.vertexSlots() || mTin.isVertex(v) || mTin.constraints[v] != None)
                 return report(TinRule::FreeList, v);
             v = mTin.corners[v] & ~FreeVertexBit;
         }
@@ -195,7 +194,7 @@ private:
             hasCorner[3] |= a == Point2{mDomain.low.x, mDomain.high.y};
         });
         const double around = 2 * (mDomain.high.x - mDomain.low.x + mDomain.high.y - mDomain.low.y);
-        if (std::abs(length - around) > AreaTolerance * around || !hasCorner[0] || !hasCorner[1] || !hasCorner[2] ||
+        if (std::abs(length - around) > LengthTolerance * around || !hasCorner[0] || !hasCorner[1] || !hasCorner[2] ||
             !hasCorner[3])
             report(TinRule::Border);
         if (std::uint64_t(mTin.totals.triangles) + borderEdges + 2 != 2 * std::uint64_t(mTin.totals.vertices))
@@ -249,18 +248,6 @@ private:
         });
     }
 
-    void inspectAreas()
-    {
-        std::vector<double> areas(mTin.vertexSlots());
-        forEachCorner([&](TriangleId t, Corner c) {
-            if (!mTin.isVoid(t))
-                areas[mTin.vertex(c)] += areaOf(mTin, t) / 3;
-        });
-        for (VertexId v = 0; v < mTin.vertexSlots(); ++v)
-            if (mTin.isVertex(v) && !(std::abs(mTin.areas[v] - areas[v]) <= AreaTolerance * areas[v]))
-                report(TinRule::DualArea, v);
-    }
-
     void inspectLayers()
     {
         for (VertexId v = 0; v < mTin.vertexSlots(); ++v) {
@@ -307,8 +294,6 @@ const char *nameOf(TinRule rule)
         return "void border";
     case TinRule::FreeList:
         return "free list";
-    case TinRule::DualArea:
-        return "dual area";
     case TinRule::Height:
         return "height";
     case TinRule::Layers:

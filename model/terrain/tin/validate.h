@@ -17,7 +17,6 @@ enum class TinRule : std::uint8_t {
     RecordList,   ///< each record in use hangs in the lists of its two vertices, once
     VoidBorder,   ///< the edges between void and other triangles are VoidOwner's, and only they
     FreeList,     ///< free slots are in their list, once, and look as free slots do; counts agree
-    DualArea,     ///< dual areas are thirds of the triangles' areas
     Height,       ///< heights are finite
     Layers,       ///< no more layers than MaxLayers, and values for each at each vertex
     Thickness,    ///< thicknesses are finite and at least 0

@@ -268,11 +268,13 @@ void ImprintStroke::releaseOlder(TinEdit &edit)
 }
 
 /// Forces what was collected inside the sole down to it, and takes away what is then superfluous.
-void ImprintStroke::clearSole(TinEdit &edit, std::span<const VertexId> inside, double sole)
+void ImprintStroke::clearSole(TinEdit &edit, const Ring &ring, std::span<const VertexId> inside, double sole)
 {
     const TinArrays &tin = edit.tin().arrays();
     const double deep = sole - SoleTolerance * mTool.radius;
     const bool hasDeep = std::any_of(inside.begin(), inside.end(), [&](VertexId v) { return tin.heights[v] < deep; });
+    if (!hasDeep && ring.isClosed && edit.removeInside(ring.vertices))
+        return;
     for (const VertexId v : inside) {
         bool isNeeded = tin.heights[v] < deep || !edit.canRemove(v);
         if (!isNeeded && hasDeep)
@@ -387,12 +389,15 @@ void ImprintStroke::heap(TinEdit &edit, const StampPose &pose, std::span<const P
         if (squaredDistance(placed.centre, pose.at) < (2 * mReach + width) * (2 * mReach + width))
             mNearEarlier.push_back(&placed);
 
+    const double reach = mReach * (1 + 1e-6);
     memory.disc.search(tin, pose.at, mReach + width);
     mRim.assign(memory.disc.vertices().begin(), memory.disc.vertices().end());
     mRim.erase(std::remove_if(mRim.begin(), mRim.end(),
                               [&](VertexId v) {
                                   const Point2 p = arrays.points[v];
-                                  return hasOwner(arrays, v, owner) || isInside(outline, p) || isInEarlierStamp(p);
+                                  const bool isNear = squaredDistance(p, pose.at) <= reach * reach;
+                                  return hasOwner(arrays, v, owner) || (isNear && isInside(outline, p)) ||
+                                         isInEarlierStamp(p);
                               }),
                mRim.end());
     thinOut(edit, mRim, owner);
@@ -404,8 +409,11 @@ void ImprintStroke::heap(TinEdit &edit, const StampPose &pose, std::span<const P
         if (!tin.domain().contains(p) || isInside(outline, p) || isInEarlierStamp(p))
             return;
         const double length = std::hypot(outwards.x, outwards.y);
-        if (aheadWeight(pose, {outwards.x / length, outwards.y / length}) == 0 ||
-            arrays.isVoid(tin.triangleAt(p, near)))
+        if (aheadWeight(pose, {outwards.x / length, outwards.y / length}) == 0)
+            return;
+        const TriangleId t = tin.triangleAt(p, near);
+        near = arrays.vertex(cornerOf(t, 0));
+        if (arrays.isVoid(t))
             return;
         const std::uint32_t before = tin.vertexCount();
         near = putVertex(edit, p, near, RimSnap * width);
@@ -432,7 +440,7 @@ void ImprintStroke::heap(TinEdit &edit, const StampPose &pose, std::span<const P
     std::size_t kept = 0;
     mWeights.clear();
     for (const VertexId v : mRim) {
-        if (!(arrays.isVertex(v) && edit.areaOf(v) > 0))
+        if (!(arrays.isVertex(v) && isOnGround(arrays, v)))
             continue;
         const Point2 p = arrays.points[v], q = nearestOnBorder(outline, p);
         const double distance = std::sqrt(squaredDistance(p, q)), t = distance / width;
@@ -493,7 +501,7 @@ void ImprintStroke::stamp(TinEdit &edit, const StampPose &pose, double sole, Own
     for (const VertexId v : inner.vertices)
         if (arrays.heights[v] > sole)
             edit.displace(v, sole);
-    clearSole(edit, inSole, sole);
+    clearSole(edit, inner, inSole, sole);
     for (const VertexId v : inWall)
         if (arrays.isVertex(v) && edit.canRemove(v))
             edit.remove(v);

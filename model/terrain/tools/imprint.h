@@ -92,7 +92,7 @@ private:
     void collectInside(const TinArrays &tin, const Ring &ring, OwnerId owner, std::span<const Point2> outline,
                        Point2 centre);
     void releaseOlder(TinEdit &edit);
-    void clearSole(TinEdit &edit, std::span<const VertexId> inside, double sole);
+    void clearSole(TinEdit &edit, const Ring &ring, std::span<const VertexId> inside, double sole);
     void dropFlatEdges(TinEdit &edit, const Ring &outer, const Ring &inner, double sole, OwnerId owner);
     void thinOut(TinEdit &edit, std::span<const VertexId> vertices, OwnerId owner) const;
     double aheadWeight(const StampPose &pose, Point2 outwards) const;

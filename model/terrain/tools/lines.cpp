@@ -105,7 +105,7 @@ void stamp(TinEdit &edit, const Rake &tool, const StampPose &pose, ToolMemory &m
     for (const VertexId v : memory.disc.vertices()) {
         const Point2 p{tin.points[v].x - pose.at.x, tin.points[v].y - pose.at.y};
         const double u = dot(p, across);
-        if (std::abs(dot(p, pose.direction)) > pitch / 2 || std::abs(u) > tool.width / 2 || !(edit.areaOf(v) > 0))
+        if (std::abs(dot(p, pose.direction)) > pitch / 2 || std::abs(u) > tool.width / 2 || !isOnGround(tin, v))
             continue;
         // -1 at the tines, which stand in the middle of their share of the width, and 1 half-way between two.
         const double wave = std::cos(2 * M_PI * (u + tool.width / 2) / pitch);
@@ -173,7 +173,7 @@ void makeRamp(TinEdit &edit, const Ramp &tool, Point2 from, Point2 to, double pr
         const double weight = weightOf(tool.brush.falloff, distance / radius) * tool.brush.strengthAt(ends[0]) *
                               tool.brush.mask.weightAt(tin, v);
         const double height = fromHeight + along * (toHeight - fromHeight);
-        if (weight > 0 && edit.areaOf(v) > 0)
+        if (weight > 0 && isOnGround(tin, v))
             targets.push_back({v, weight >= 1 ? height : tin.heights[v] + weight * (height - tin.heights[v])});
     }
     for (const Target &target : targets)

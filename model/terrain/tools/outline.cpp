@@ -124,7 +124,10 @@ Point2 nearestOnBorder(std::span<const Point2> polygon, Point2 p)
     for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
         const Point2 a = polygon[j], b = polygon[i];
         const double along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
-        const double t = std::clamp(along / squaredDistance(a, b), 0.0, 1.0);
+        if (along <= 0)
+            continue; // a is nearest, and was looked at as the end of the edge before
+        const double whole = squaredDistance(a, b);
+        const double t = along < whole ? std::max(0.0, along / whole) : 1;
         const Point2 q{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
         if (const double squared = squaredDistance(p, q); squared < smallest) {
             smallest = squared;

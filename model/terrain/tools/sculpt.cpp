@@ -22,7 +22,7 @@ template <class HeightOf>
 void setHeights(TinEdit &edit, const ToolMemory &memory, HeightOf heightOf)
 {
     for (const BrushVertex &brushed : memory.brushed)
-        if (edit.areaOf(brushed.vertex) > 0)
+        if (isOnGround(edit.tin().arrays(), brushed.vertex))
             edit.setHeight(brushed.vertex, heightOf(brushed.vertex, brushed.weight));
 }
 

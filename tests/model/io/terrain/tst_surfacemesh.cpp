@@ -97,8 +97,9 @@ private slots:
         }
         QVERIFY2(worst <= maxError + 1e-9, QByteArray::number(worst).constData());
         double area = 0;
-        for (VertexId v = 0; v < tin->arrays().vertexSlots(); ++v)
-            area += tin->arrays().areas[v];
+        for (TriangleId t = 0; t < tin->arrays().triangleSlots(); ++t)
+            if (tin->arrays().isTriangle(t) && !tin->arrays().isVoid(t))
+                area += areaOf(tin->arrays(), t);
         QVERIFY(std::abs(area - covered) < 1e-9);
         if (maxError == 2.0)
             QVERIFY(tin->vertexCount() < points.size());

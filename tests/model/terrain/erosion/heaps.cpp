@@ -63,7 +63,6 @@ std::string bytesOf(const Tin &tin)
     };
     add(tin.arrays().points);
     add(tin.arrays().heights);
-    add(tin.arrays().areas);
     add(tin.arrays().thicknesses);
     add(tin.arrays().humidities);
     add(tin.arrays().triangleVertices);

@@ -17,7 +17,7 @@ double water(const Tin &tin, std::uint32_t layer)
     double sum = 0;
     for (VertexId v = 0; v < tin.arrays().vertexSlots(); ++v) {
         const LayerSample sample = tin.arrays().sample(v, layer);
-        sum += tin.arrays().areas[v] * sample.thickness * double(sample.humidity);
+        sum += dualArea(tin.arrays(), v) * sample.thickness * double(sample.humidity);
     }
     return sum;
 }
@@ -164,7 +164,7 @@ private slots:
         // Saturated, it flows farther on its side.
         double moment = 0;
         for (VertexId v = 0; v < tin.arrays().vertexSlots(); ++v)
-            moment += tin.arrays().areas[v] * tin.arrays().heights[v] * (tin.arrays().points[v].x - 0.5);
+            moment += dualArea(tin.arrays(), v) * tin.arrays().heights[v] * (tin.arrays().points[v].x - 0.5);
         QVERIFY(moment < 0);
     }
 
@@ -198,7 +198,7 @@ private slots:
         QVERIFY(validate(tin));
         double mudAbove = 0, gravelMoved = 0;
         for (VertexId v = 0; v < tin.arrays().vertexSlots(); ++v) {
-            gravelMoved += tin.arrays().areas[v] * std::abs(tin.arrays().sample(v, 0).thickness - 0.2);
+            gravelMoved += dualArea(tin.arrays(), v) * std::abs(tin.arrays().sample(v, 0).thickness - 0.2);
             if (tin.arrays().points[v].x > 0.8)
                 mudAbove = std::max(mudAbove, tin.arrays().sample(v, 1).thickness);
         }

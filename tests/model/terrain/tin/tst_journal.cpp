@@ -22,7 +22,6 @@ std::string bytesOf(const Tin &tin)
     const TinArrays &arrays = tin.arrays();
     add(arrays.points);
     add(arrays.heights);
-    add(arrays.areas);
     add(arrays.corners);
     add(arrays.constraints);
     add(arrays.thicknesses);
@@ -47,9 +46,8 @@ std::vector<std::uint32_t> changedSlots(const TinArrays &before, const TinArrays
             isSame = std::memcmp(&before.triangleVertices[3 * i], &after.triangleVertices[3 * i], 12) == 0 &&
                      std::memcmp(&before.opposites[3 * i], &after.opposites[3 * i], 12) == 0;
         else if (isSame)
-            isSame = part == TinPart::Points    ? before.points[i] == after.points[i]
-                     : part == TinPart::Heights ? before.heights[i] == after.heights[i]
-                                                : before.areas[i] == after.areas[i];
+            isSame =
+                part == TinPart::Points ? before.points[i] == after.points[i] : before.heights[i] == after.heights[i];
         if (!isSame)
             changed.push_back(i);
     }
@@ -155,7 +153,7 @@ private slots:
                 tests::randomStep(open, source);
                 return open.commit();
             }();
-            for (const TinPart part : {TinPart::Points, TinPart::Heights, TinPart::Areas, TinPart::Triangles}) {
+            for (const TinPart part : {TinPart::Points, TinPart::Heights, TinPart::Triangles}) {
                 const std::vector<std::uint32_t> changed = changedSlots(before.arrays(), tin.arrays(), part);
                 std::vector<std::uint32_t> dirty;
                 std::uint32_t end = 0;

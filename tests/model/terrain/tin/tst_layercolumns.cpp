@@ -130,7 +130,7 @@ private slots:
         const auto water = [&](std::uint32_t l) {
             double sum = 0;
             for (VertexId v = 0; v < tin.vertexSlots(); ++v)
-                sum += tin.areas[v] * tin.sample(v, l).thickness * double(tin.sample(v, l).humidity);
+                sum += dualArea(tin, v) * tin.sample(v, l).thickness * double(tin.sample(v, l).humidity);
             return sum;
         };
         const double volumes[] = {ground.tin.layerVolume(0), ground.tin.layerVolume(1)};
@@ -139,7 +139,7 @@ private slots:
             const VertexId a = source.below(tin.vertexSlots()), b = source.below(tin.vertexSlots());
             const double volume = source.uniform(-1, 1);
             const VertexId from = volume > 0 ? a : b;
-            if (a != b && std::abs(volume) < 0.99 * tin.areas[from] * tin.cover(from))
+            if (a != b && std::abs(volume) < 0.99 * dualArea(tin, from) * tin.cover(from))
                 edit.transfer(a, b, volume);
         }
         for (std::uint32_t l = 0; l < 2; ++l) {

@@ -99,9 +99,6 @@ const std::vector<Damage> &damages()
                      orientation(tin.pointAt(o), tin.pointAt(previous(c)), tin.pointAt(c)) <= 0)
                      continue;
                  writer.flip(c);
-                 for (VertexId v = 0; v < tin.vertexSlots(); ++v)
-                     if (tin.isVertex(v))
-                         tin.areas[v] = dualArea(tin, v);
                  return;
              }
          }},
@@ -143,7 +140,6 @@ const std::vector<Damage> &damages()
         {"a free record left out", TinRule::FreeList, [](TinArrays &tin) { tin.totals.freeRecord = None; }},
         {"a wrong count", TinRule::FreeList, [](TinArrays &tin) { ++tin.totals.triangles; }},
         {"arrays of different sizes", TinRule::FreeList, [](TinArrays &tin) { tin.heights.push(0); }},
-        {"a wrong area", TinRule::DualArea, [](TinArrays &tin) { tin.areas[innerVertex(tin)] *= 1 + 1e-6; }},
         {"a height that is none", TinRule::Height, [](TinArrays &tin) { tin.heights[innerVertex(tin)] = NAN; }},
         {"a layer without values", TinRule::Layers, [](TinArrays &tin) { ++tin.totals.layers.count; }},
         {"more layers than there may be", TinRule::Layers,
