@@ -26,6 +26,17 @@ std::uint64_t digestOfMaterial(const Material &m, std::uint64_t seed)
 
 } // namespace
 
+const Material *Terrain::topMaterialAt(Point2 p) const
+{
+    const TinArrays &arrays = tin.arrays();
+    const TriangleId t = tin.triangleAt(p);
+    for (std::uint32_t l = arrays.layerCount(); l-- > 0;)
+        for (Corner c = cornerOf(t, 0); c <= cornerOf(t, 2); ++c)
+            if (arrays.sample(arrays.vertex(c), l).thickness > 0)
+                return &materialOf(l);
+    return nullptr;
+}
+
 double Terrain::mass(std::uint32_t layer) const
 {
     return materialOf(layer).bulkDensity * (tin.layerVolume(layer) + tin.arrays().totals.compacted[layer].value());

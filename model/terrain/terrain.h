@@ -40,6 +40,10 @@ struct Terrain
         return materials[tin.arrays().totals.layers.materials[layer]];
     }
 
+    /// What one meets first at `p`, which lies in the domain: the material of the topmost layer with any thickness
+    /// there. Null on bare rock.
+    const Material *topMaterialAt(Point2 p) const;
+
     /// What a layer weighs, in kg: that of its volume as poured, and of what was pressed out of it. Cost: O(n).
     double mass(std::uint32_t layer) const;
     /// What a cubic metre of a layer weighs now, on average; as poured if the layer is empty. Cost: O(n).

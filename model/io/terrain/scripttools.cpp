@@ -91,6 +91,7 @@ Imprint readImprint(ScriptObject &object)
     tool.rotation = object.number("rotation", tool.rotation);
     tool.doesFollowDirection = object.flag("follows_direction", tool.doesFollowDirection);
     tool.doesPressureScaleDepth = object.flag("pressure_scales_depth", tool.doesPressureScaleDepth);
+    tool.isRimOfMaterial = !object.has("rim");
     ScriptObject rim = object.object("rim");
     tool.rim.criticalAngle = rim.number("critical_angle", tool.rim.criticalAngle);
     tool.rim.compressibility = rim.number("compressibility", tool.rim.compressibility);

@@ -6,6 +6,7 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <cmath>
 
 namespace model::io {
@@ -190,6 +191,12 @@ private:
         return fail(std::move(error));
     }
 
+    Point2 inDomain(Point2 p) const
+    {
+        const Rectangle &domain = mTerrain.tin.domain();
+        return {std::clamp(p.x, domain.low.x, domain.high.x), std::clamp(p.y, domain.low.y, domain.high.y)};
+    }
+
     Result<void> carryOut(const StrokeStep &step, const std::string &path)
     {
         Stroke stroke = step.stroke;
@@ -201,6 +208,9 @@ private:
             // The terrain as the script found it, for a restore that comes later.
             mStart = std::make_shared<const Tin>(mTerrain.tin);
         }
+        if (auto *const imprint = std::get_if<Imprint>(&stroke.tool); imprint && imprint->isRimOfMaterial)
+            if (const Material *const material = mTerrain.topMaterialAt(inDomain(stroke.path.front().at)))
+                imprint->rim = rimOf(*material, imprint->rim);
         auto done = draw(mTerrain.tin, stroke, step.owner.value_or(terrain::None), mMemory);
         if (!done)
             return failAt(path, done.error());

@@ -100,6 +100,9 @@ public:
     void bookLeak(double volume);
     /// Counts a volume as moved that place(), or displace() and giveBack(), moved.
     void bookMoved(double volume);
+    /// Counts `volume` of the leak (below 0 by at least that) as pressed together, in the top layer: lost as volume,
+    /// kept as mass. Precondition: `volume` >= 0.
+    void bookPressed(double volume);
     /// Spreads the leak over `vertices`: the height of each changes in proportion to its weight (empty: all alike).
     /// Nothing happens if their areas and weights add up to nothing.
     void giveBack(std::span<const VertexId> vertices, std::span<const double> weights = {});

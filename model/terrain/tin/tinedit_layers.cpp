@@ -76,6 +76,15 @@ double TinEdit::press(VertexId v, double depth)
     return pressed;
 }
 
+void TinEdit::bookPressed(double volume)
+{
+    assert(mIsOpen && volume >= 0);
+    mArrays.totals.ledger.pressed.add(volume);
+    if (mArrays.layerCount() > 0)
+        mArrays.totals.compacted[mArrays.layerCount() - 1].add(volume);
+    mWriter.leak.add(volume);
+}
+
 void TinEdit::place(VertexId v, double height, const double *thicknesses, const float *humidities)
 {
     assert(mIsOpen);

@@ -21,6 +21,11 @@ struct Rim
     friend bool operator==(const Rim &, const Rim &) = default;
 };
 
+struct Material;
+
+/// `rim` with the outside slope and the compression of a material.
+Rim rimOf(const Material &material, Rim rim = {});
+
 /// A rigid tool with a flat sole, pressed into the ground.
 struct Imprint
 {
@@ -34,7 +39,8 @@ struct Imprint
     bool doesFollowDirection = false; ///< the outline's +x turns to where the pen goes
     bool doesPressureScaleDepth = true;
     Rim rim;
-    Mask mask; ///< a stamp whose centre it covers by half or more is left out
+    bool isRimOfMaterial = true; ///< whoever knows the material under the stroke puts rimOf() it in place of `rim`
+    Mask mask;                   ///< a stamp whose centre it covers by half or more is left out
 };
 
 /// What stamps did, in cubic metres and pieces.

@@ -30,7 +30,7 @@ struct StrokeReport
     std::uint32_t stamps = 0;
     double added = 0, removed = 0; ///< as the ledger has them; what Scoop took is `removed`
     double moved = 0;
-    double compressed = 0; ///< Imprint: the part of `removed` that was pressed together
+    double compressed = 0; ///< Imprint: what was pressed together, and not removed: its mass is still there
     OwnerId nextOwner = 0; ///< the first one that no constraint of the stroke has
 };
 

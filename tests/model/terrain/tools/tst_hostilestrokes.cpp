@@ -8,29 +8,6 @@ using namespace tests;
 
 namespace {
 
-/// One of each tool that leaves a mark, `radius` large.
-std::vector<Tool> everyTool(double radius)
-{
-    Brush brush;
-    brush.radius = radius;
-    Imprint imprint;
-    imprint.radius = radius;
-    imprint.depth = 0.1;
-    const auto flat = [](Point2) { return 1.0; };
-    return {imprint,
-            Rake{2 * radius, 3, 0.02, 0.5, {}},
-            Raise{brush, 0.05},
-            Lower{brush, 0.05},
-            Flatten{brush, 0.5, {}},
-            Smooth{brush, 0.5},
-            Noise{brush, 0.05, radius, 2, 1},
-            Ramp{brush, {}, {}},
-            Restore{brush, 0.5, {flat, {}}},
-            Pour{brush, 0.001},
-            Scoop{brush, 0.05},
-            Breakline{radius, {}, Crossing::Split}};
-}
-
 bool areHeightsFinite(const Tin &tin)
 {
     for (VertexId v = 0; v < tin.arrays().vertexSlots(); ++v)
