@@ -102,7 +102,7 @@ private slots:
     void onlyTheTopIsShaped()
     {
         Brush brush;
-        brush.radius = 0.2;
+        brush.radius = 0.5; // for which the ground is fine enough
         const std::vector<Tool> tools{Raise{brush, 0.02},
                                       Lower{brush, 0.02},
                                       Pour{brush, 0.001},
@@ -110,7 +110,7 @@ private slots:
                                       Noise{brush, 0.02, 0.3, 2, 1},
                                       Smooth{brush, 0.5}};
         for (const Tool &tool : tools) {
-            Terrain terrain = layered(3000, {0.1, 0.1, 0.4}, true, 0.02);
+            Terrain terrain = layered(6000, {0.1, 0.1, 0.4}, true, 0.02);
             const std::uint32_t vertices = terrain.tin.vertexCount();
             const std::array<double, 3> before{terrain.tin.layerVolume(Gravel), terrain.tin.layerVolume(Sand),
                                                terrain.tin.layerVolume(Snow)};
