@@ -133,8 +133,8 @@ T brushed(ScriptObject &object, std::initializer_list<std::pair<const char *, do
     return tool;
 }
 
-constexpr const char *ToolNames[] = {"imprint", "rake", "raise", "lower",   "flatten", "smooth",
-                                     "noise",   "ramp", "pour",  "restore", "scoop",   "breakline"};
+constexpr const char *ToolNames[] = {"imprint", "rake", "raise",   "lower", "flatten",   "smooth", "noise",
+                                     "ramp",    "pour", "restore", "scoop", "breakline", "moisten"};
 
 Tool readTool(ScriptObject &object)
 {
@@ -176,6 +176,8 @@ Tool readTool(ScriptObject &object)
         return brushed<Scoop>(object, {{"depth", &Scoop::depth}});
     if (name == "breakline")
         return readBreakline(object);
+    if (name == "moisten")
+        return brushed<Moisten>(object, {{"humidity", &Moisten::humidity}, {"strength", &Moisten::strength}});
     return readImprint(object);
 }
 

@@ -48,6 +48,8 @@ public:
     void activate(std::span<const TriangleId> triangles);
     /// Nothing is on the list. True does not say that nothing could slide, but that nobody reported it.
     bool isAtRest() const { return mActive.empty(); }
+    /// Entries of the list. What was reported twice counts twice until a run() has looked at it.
+    std::size_t activeCount() const { return mActive.size(); }
 
     /// Lets what is on the list slide for `seconds` of simulated time, at most within the budget. What is left of a
     /// sweep counts next time.

@@ -34,6 +34,7 @@ public:
 private:
     friend class Journal;
     friend class OtherSide;
+    friend class EarlierSurface;
 
     template <class T>
     struct Saved

@@ -183,12 +183,20 @@ Edit TinEdit::end()
     return mTin.mJournal.end(mArrays);
 }
 
-Edit TinEdit::commit()
+void TinEdit::settle()
 {
+    assert(mIsOpen);
+    const std::vector<VertexId> reconnected = mWriter.takeReconnected();
     if (mRule == VolumeRule::GiveBack && mWriter.leak.value() != 0)
-        giveBack(mWriter.takeReconnected());
+        giveBack(reconnected);
     // Nothing, or the rounding of the heights; all of it if it is to be kept.
     mArrays.totals.ledger.kept.add(mWriter.leak.value());
+    mWriter.leak = {};
+}
+
+Edit TinEdit::commit()
+{
+    settle();
     Edit edit = end();
     if (mTin.mHints.isTooCoarse(mArrays))
         mTin.mHints.build(mArrays, mTin.mDomain);

@@ -111,10 +111,16 @@ public:
     /// part of the leak is its own gives it back so. Nothing happens if they have no area.
     void giveBackVolume(std::span<const VertexId> vertices, double volume);
 
+    /// Does with the leak what commit() does with it. A step of an edit that ends with this leaves the same bytes
+    /// whether what follows belongs to the edit or to the next one.
+    void settle();
+
     /// Ends the edit.
     Edit commit();
     /// Ends the edit as if it had not begun.
     void rollBack();
+    /// It has not ended.
+    bool isOpen() const { return mIsOpen; }
 
 private:
     struct Segment

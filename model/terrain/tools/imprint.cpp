@@ -45,14 +45,9 @@ Result<ImprintStroke> ImprintStroke::prepare(const Imprint &tool)
     return fail(ErrorCode::BadSetting, "outline", "too narrow", "an outline wide enough for the gap");
 }
 
-double ImprintStroke::soleAt(const Tin &tin, const StampPose &pose) const
+double ImprintStroke::soleAt(const StampPose &pose, double ground) const
 {
-    if (mTool.level)
-        return *mTool.level;
-    const Rectangle &domain = tin.domain();
-    const Point2 p{std::clamp(pose.at.x, domain.low.x, domain.high.x),
-                   std::clamp(pose.at.y, domain.low.y, domain.high.y)};
-    return tin.heightAt(p) - mTool.depth * (mTool.doesPressureScaleDepth ? pose.pressure : 1);
+    return mTool.level.value_or(ground - mTool.depth * (mTool.doesPressureScaleDepth ? pose.pressure : 1));
 }
 
 std::vector<Point2> ImprintStroke::place(std::span<const Point2> outline, const StampPose &pose) const

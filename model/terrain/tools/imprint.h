@@ -62,11 +62,11 @@ public:
     /// \error BadSetting  a setting outside its range, or an outline so narrow that no sole is left
     static Result<ImprintStroke> prepare(const Imprint &tool);
 
-    /// What the ground under a pose is before the stroke: the sole's height.
-    double soleAt(const Tin &tin, const StampPose &pose) const;
+    /// The sole's height. \param ground  the height under the pose, in the domain, before the stroke
+    double soleAt(const StampPose &pose, double ground) const;
 
     /// \param owner  of this stamp's constraints
-    /// \param sole   from soleAt() before the first stamp
+    /// \param sole   from soleAt()
     void stamp(TinEdit &edit, const StampPose &pose, double sole, OwnerId owner, ToolMemory &memory);
 
     const ImprintReport &report() const { return mReport; }

@@ -221,6 +221,28 @@ void stamp(TinEdit &edit, const Pour &tool, const StampPose &pose, ToolMemory &m
     setHeights(edit, memory, [&](VertexId v, double weight) { return tin.heights[v] + weight * lift; });
 }
 
+void stamp(TinEdit &edit, const Moisten &tool, const StampPose &pose, ToolMemory &memory)
+{
+    const TinArrays &tin = edit.tin().arrays();
+    if (tin.layerCount() == 0)
+        return;
+    gather(edit, tool.brush, pose, memory);
+    for (const BrushVertex &brushed : memory.brushed) {
+        std::uint32_t layer = tin.layerCount();
+        while (layer > 0 && !(tin.sample(brushed.vertex, layer - 1).thickness > 0))
+            --layer;
+        if (layer == 0)
+            continue; // bare rock
+        LayerSample sample = tin.sample(brushed.vertex, layer - 1);
+        const double share = std::min(1.0, tool.strength * brushed.weight);
+        const auto humidity = float(sample.humidity + share * (tool.humidity - double(sample.humidity)));
+        if (humidity == sample.humidity)
+            continue;
+        sample.humidity = humidity;
+        edit.setLayer(brushed.vertex, layer - 1, sample);
+    }
+}
+
 Result<void> check(const Raise &tool)
 {
     return all({tool.brush.check(), checkSetting("height", tool.height, -LargestSetting, LargestSetting)});
@@ -257,6 +279,11 @@ Result<void> check(const Pour &tool)
 Result<void> check(const Scoop &tool)
 {
     return all({tool.brush.check(), checkSetting("depth", tool.depth, 0, LargestSetting)});
+}
+Result<void> check(const Moisten &tool)
+{
+    return all({tool.brush.check(), checkSetting("humidity", tool.humidity, 0, 1),
+                checkSetting("strength", tool.strength, 0, 1)});
 }
 
 } // namespace model::terrain

@@ -68,6 +68,14 @@ struct Scoop
     Brush brush;
     double depth = 0.1; ///< metres at the centre of each stamp
 };
+/// Wets what lies at the surface, or lets it dry: its critical angle changes, its volume does not. Nothing happens
+/// where there are no layers.
+struct Moisten
+{
+    Brush brush;
+    double humidity = 0.5; ///< 0 dry ... 1 saturated: what the surface comes to
+    double strength = 0.5; ///< how much of the way one stamp goes, 0 ... 1
+};
 
 // One stamp of each; `near` what the heights were where the stroke began. Settings are checked before a stroke.
 void stamp(TinEdit &edit, const Raise &tool, const StampPose &pose, ToolMemory &memory);
@@ -78,6 +86,7 @@ void stamp(TinEdit &edit, const Noise &tool, const StampPose &pose, ToolMemory &
 void stamp(TinEdit &edit, const Restore &tool, const StampPose &pose, ToolMemory &memory);
 void stamp(TinEdit &edit, const Pour &tool, const StampPose &pose, ToolMemory &memory);
 void stamp(TinEdit &edit, const Scoop &tool, const StampPose &pose, ToolMemory &memory);
+void stamp(TinEdit &edit, const Moisten &tool, const StampPose &pose, ToolMemory &memory);
 
 Result<void> check(const Raise &tool);
 Result<void> check(const Lower &tool);
@@ -87,6 +96,7 @@ Result<void> check(const Noise &tool);
 Result<void> check(const Restore &tool);
 Result<void> check(const Pour &tool);
 Result<void> check(const Scoop &tool);
+Result<void> check(const Moisten &tool);
 
 /// Smooth noise between -1 and 1, the same everywhere for the same seed; `p` in wavelengths of the largest hills.
 double noiseAt(Point2 p, std::uint32_t octaves, std::uint32_t seed);

@@ -10,7 +10,8 @@
 namespace model::terrain {
 
 /// What a stroke is drawn with.
-using Tool = std::variant<Imprint, Rake, Raise, Lower, Flatten, Smooth, Noise, Ramp, Restore, Pour, Scoop, Breakline>;
+using Tool =
+    std::variant<Imprint, Rake, Raise, Lower, Flatten, Smooth, Noise, Ramp, Restore, Pour, Scoop, Breakline, Moisten>;
 
 /// The tool's name in scripts and logs: "imprint", "rake", ...
 const char *nameOf(const Tool &tool);
@@ -40,6 +41,8 @@ struct DoneStroke
     StrokeReport report;
 };
 
+/// \error BadSetting  a setting outside its range
+Result<void> check(const Tool &tool);
 /// \error BadSetting, NonFinite, LimitExceeded  as the tool, the path and the symmetry say
 Result<void> check(const Stroke &stroke);
 
@@ -55,7 +58,8 @@ Result<DoneStroke> draw(Tin &tin, const Stroke &stroke, OwnerId owner, ToolMemor
 Result<DoneStroke> draw(Tin &tin, const Stroke &stroke, OwnerId owner = None);
 
 /// The same within an edit that is open, with other strokes before and after. On error the edit has to be rolled back.
-/// Leaves nothing of leak(): the volume that the surface gained by being divided anew is given back.
+/// Leaves nothing of leak(): the volume that the surface gained by being divided anew is given back. LiveStroke draws
+/// while the path still grows.
 Result<StrokeReport> draw(TinEdit &edit, const Stroke &stroke, OwnerId owner, ToolMemory &memory);
 
 /// The first owner above all that hold a constraint. Cost: O(all constraints).

@@ -5,6 +5,7 @@
 #include "model/terrain/tin/predicates.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace model::terrain {
@@ -20,74 +21,125 @@ Point2 rotated(Point2 p, double cosine, double sine)
     return {cosine * p.x - sine * p.y, sine * p.x + cosine * p.y};
 }
 
+Result<void> checkPoint(const PathPoint &p, std::size_t i)
+{
+    if (!std::isfinite(p.at.x) || !std::isfinite(p.at.y) || !std::isfinite(p.pressure) || !std::isfinite(p.speed))
+        return fail(ErrorCode::NonFinite, "path point " + std::to_string(i));
+    if (std::abs(p.at.x) > LargestCoordinate || std::abs(p.at.y) > LargestCoordinate)
+        return fail(ErrorCode::BadSetting, "path", "point " + std::to_string(i), "coordinates up to 1e12");
+    if (p.pressure < 0 || p.pressure > 1)
+        return fail(ErrorCode::BadSetting, "pressure", std::to_string(p.pressure), "0 ... 1");
+    if (p.speed < 0)
+        return fail(ErrorCode::BadSetting, "speed", std::to_string(p.speed), "at least 0");
+    return {};
+}
+
 } // namespace
 
 Result<void> checkPath(std::span<const PathPoint> path)
 {
     if (path.empty())
         return fail(ErrorCode::BadSetting, "path", "no points", "at least one point");
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        const PathPoint &p = path[i];
-        if (!std::isfinite(p.at.x) || !std::isfinite(p.at.y) || !std::isfinite(p.pressure) || !std::isfinite(p.speed))
-            return fail(ErrorCode::NonFinite, "path point " + std::to_string(i));
-        if (std::abs(p.at.x) > LargestCoordinate || std::abs(p.at.y) > LargestCoordinate)
-            return fail(ErrorCode::BadSetting, "path", "point " + std::to_string(i), "coordinates up to 1e12");
-        if (p.pressure < 0 || p.pressure > 1)
-            return fail(ErrorCode::BadSetting, "pressure", std::to_string(p.pressure), "0 ... 1");
-        if (p.speed < 0)
-            return fail(ErrorCode::BadSetting, "speed", std::to_string(p.speed), "at least 0");
-    }
+    for (std::size_t i = 0; i < path.size(); ++i)
+        if (Result<void> checked = checkPoint(path[i], i); !checked)
+            return checked;
     return {};
+}
+
+PathSampler::PathSampler(double spacing, std::size_t most)
+    : mSpacing(spacing)
+    , mQuantum(std::exp2(std::floor(std::log2(spacing))) * Quantum)
+    , mMost(most)
+{}
+
+Result<PathSampler> PathSampler::create(double spacing, std::size_t most)
+{
+    if (!(spacing > 0) || !std::isfinite(spacing))
+        return fail(ErrorCode::BadSetting, "spacing", numberText(spacing), "above 0");
+    return PathSampler(spacing, most);
+}
+
+StampPose PathSampler::poseAt(double along) const
+{
+    const auto rounded = [&](double value) {
+        const double multiple = std::nearbyint(value / mQuantum);
+        return std::abs(multiple) < 0x1p52 ? multiple * mQuantum : value;
+    };
+    const double length = mAlong - mAlongFrom;
+    const double t = length > 0 ? std::clamp((along - mAlongFrom) / length, 0.0, 1.0) : 0;
+    const auto mixed = [&](double from, double to) { return from + t * (to - from); };
+    return {{rounded(mixed(mFrom.at.x, mTo.at.x)), rounded(mixed(mFrom.at.y, mTo.at.y))},
+            {},
+            std::nearbyint(mixed(mFrom.pressure, mTo.pressure) / Quantum) * Quantum,
+            std::nearbyint(mixed(mFrom.speed, mTo.speed) / Quantum) * Quantum,
+            false};
+}
+
+/// Directions are those of the stamps themselves, not of the path, whose corners may lie anywhere between them: from
+/// the stamp before to the one after.
+void PathSampler::append(const StampPose &pose)
+{
+    mPoses.push_back(pose);
+    const std::size_t last = mPoses.size() - 1;
+    for (std::size_t k = last == 0 ? 0 : last - 1; k <= last; ++k) {
+        const Point2 from = mPoses[k == 0 ? 0 : k - 1].at, to = mPoses[std::min(k + 1, last)].at;
+        const double length = std::hypot(to.x - from.x, to.y - from.y);
+        if (length > 0)
+            mPoses[k].direction = {(to.x - from.x) / length, (to.y - from.y) / length};
+        else if (k > 0)
+            mPoses[k].direction = mPoses[k - 1].direction;
+    }
+}
+
+Result<void> PathSampler::add(const PathPoint &point)
+{
+    assert(!mIsEnded);
+    if (Result<void> checked = checkPoint(point, mPoints); !checked)
+        return checked;
+    if (mPoints == 0) {
+        mFrom = mTo = point;
+        append(poseAt(0));
+        ++mPoints;
+        return {};
+    }
+    const double step = std::hypot(point.at.x - mTo.at.x, point.at.y - mTo.at.y), along = mAlong + step;
+    const double count = std::floor(along / mSpacing);
+    if (!(count < double(mMost)))
+        return fail(ErrorCode::LimitExceeded, "number of stamps", numberText(count), std::to_string(mMost));
+    ++mPoints;
+    if (along == mAlong) { // the pen stands, and is pressed harder or less
+        mTo = point;
+        return {};
+    }
+    mFrom = mTo;
+    mTo = point;
+    mAlongFrom = mAlong;
+    mAlong = along;
+    for (double next = double(mPoses.size()) * mSpacing; next <= mAlong; next = double(mPoses.size()) * mSpacing)
+        append(poseAt(next));
+    return {};
+}
+
+void PathSampler::end()
+{
+    // A path as long as a multiple of the spacing ends with a stamp, whichever way its length was rounded.
+    if (mAlong > 0 && mPoses.size() < mMost && double(mPoses.size()) <= std::floor(mAlong / mSpacing + 1e-6))
+        append(poseAt(mAlong));
+    mIsEnded = true;
 }
 
 Result<std::vector<StampPose>> resample(std::span<const PathPoint> path, double spacing)
 {
     if (const Result<void> checked = checkPath(path); !checked)
         return fail(checked.error());
-    if (!(spacing > 0) || !std::isfinite(spacing))
-        return fail(ErrorCode::BadSetting, "spacing", numberText(spacing), "above 0");
-    std::vector<double> along{0};
-    for (std::size_t i = 1; i < path.size(); ++i)
-        along.push_back(along.back() + std::hypot(path[i].at.x - path[i - 1].at.x, path[i].at.y - path[i - 1].at.y));
-    // A path as long as a multiple of the spacing ends with a stamp, whichever way its length was rounded.
-    const double steps = std::floor(along.back() / spacing + 1e-6);
-    if (!(steps < double(LargestStampCount)))
-        return fail(ErrorCode::LimitExceeded, "number of stamps", numberText(steps), std::to_string(LargestStampCount));
-    const double quantum = std::exp2(std::floor(std::log2(spacing))) * Quantum;
-    const auto rounded = [&](double value) {
-        const double multiple = std::nearbyint(value / quantum);
-        return std::abs(multiple) < 0x1p52 ? multiple * quantum : value;
-    };
-    std::vector<StampPose> poses;
-    std::size_t segment = 1;
-    for (std::size_t k = 0; k <= std::size_t(steps); ++k) {
-        const double s = std::min(double(k) * spacing, along.back());
-        while (segment + 1 < path.size() && along[segment] < s)
-            ++segment;
-        if (path.size() == 1 || along.back() == 0) {
-            poses.push_back({path[0].at, {}, path[0].pressure, path[0].speed, false});
-            break;
-        }
-        const PathPoint &a = path[segment - 1], &b = path[segment];
-        const double length = along[segment] - along[segment - 1];
-        const double t = length > 0 ? std::clamp((s - along[segment - 1]) / length, 0.0, 1.0) : 0;
-        const auto mixed = [&](double from, double to) { return from + t * (to - from); };
-        poses.push_back({{rounded(mixed(a.at.x, b.at.x)), rounded(mixed(a.at.y, b.at.y))},
-                         {},
-                         std::nearbyint(mixed(a.pressure, b.pressure) / Quantum) * Quantum,
-                         std::nearbyint(mixed(a.speed, b.speed) / Quantum) * Quantum,
-                         false});
-    }
-    // From the stamps themselves, not from the path, whose corners may lie anywhere between them.
-    for (std::size_t k = 0; poses.size() > 1 && k < poses.size(); ++k) {
-        const Point2 from = poses[k == 0 ? 0 : k - 1].at, to = poses[std::min(k + 1, poses.size() - 1)].at;
-        const double length = std::hypot(to.x - from.x, to.y - from.y);
-        if (length > 0)
-            poses[k].direction = {(to.x - from.x) / length, (to.y - from.y) / length};
-        else if (k > 0)
-            poses[k].direction = poses[k - 1].direction;
-    }
-    return poses;
+    auto sampler = PathSampler::create(spacing);
+    if (!sampler)
+        return fail(sampler.error());
+    for (const PathPoint &point : path)
+        if (const Result<void> added = sampler->add(point); !added)
+            return fail(added.error());
+    sampler->end();
+    return std::vector<StampPose>(sampler->poses().begin(), sampler->poses().end());
 }
 
 Result<void> Symmetry::check() const
