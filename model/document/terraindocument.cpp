@@ -102,7 +102,7 @@ std::uint64_t savedFingerprint(const Terrain &terrain)
 
 TerrainDocument::TerrainDocument(Terrain terrain, QObject *parent)
     : QObject(parent)
-    , mTerrain(std::move(terrain))
+    , mState(new State{std::move(terrain), {}})
 {}
 
 void TerrainDocument::notify(const Edit &edit)
@@ -113,36 +113,51 @@ void TerrainDocument::notify(const Edit &edit)
 
 void TerrainDocument::swap(Edit &edit)
 {
-    mTerrain.tin.swap(edit);
+    {
+        const std::lock_guard lock(mState->changing);
+        mState->terrain.tin.swap(edit);
+    }
     notify(edit);
 }
 
 std::vector<Material> TerrainDocument::setMaterials(std::vector<Material> materials)
 {
-    if (materials == mTerrain.materials)
+    if (materials == mState->terrain.materials)
         return materials;
-    std::vector<Material> old = std::exchange(mTerrain.materials, std::move(materials));
+    std::unique_lock lock(mState->changing);
+    std::vector<Material> old = std::exchange(mState->terrain.materials, std::move(materials));
+    lock.unlock();
     emit changed(MaterialsChanged{});
     return old;
 }
 
 GeoReference TerrainDocument::setGeoReference(GeoReference geoReference)
 {
-    if (geoReference == mTerrain.geoReference)
+    if (geoReference == mState->terrain.geoReference)
         return geoReference;
-    GeoReference old = std::exchange(mTerrain.geoReference, std::move(geoReference));
+    std::unique_lock lock(mState->changing);
+    GeoReference old = std::exchange(mState->terrain.geoReference, std::move(geoReference));
+    lock.unlock();
     emit changed(GeoReferenceChanged{});
     return old;
 }
 
 std::shared_ptr<const Terrain> TerrainDocument::snapshot() const
 {
-    return std::make_shared<const Terrain>(mTerrain);
+    return std::make_shared<const Terrain>(terrain());
+}
+
+std::function<Terrain()> TerrainDocument::copier() const
+{
+    return [state = mState] {
+        const std::lock_guard lock(state->changing);
+        return state->terrain;
+    };
 }
 
 std::uint64_t TerrainDocument::fingerprint() const
 {
-    return savedFingerprint(mTerrain);
+    return savedFingerprint(terrain());
 }
 
 } // namespace model

@@ -7,7 +7,9 @@
 
 #include <QObject>
 
+#include <functional>
 #include <memory>
+#include <mutex>
 
 namespace model {
 
@@ -20,17 +22,22 @@ class TerrainDocument final : public QObject
 public:
     explicit TerrainDocument(terrain::Terrain terrain, QObject *parent = nullptr);
 
-    const terrain::Terrain &terrain() const { return mTerrain; }
-    const terrain::Tin &tin() const { return mTerrain.tin; }
+    const terrain::Terrain &terrain() const { return mState->terrain; }
+    const terrain::Tin &tin() const { return mState->terrain.tin; }
 
     /// Carries out `work(TinEdit &)` as one edit, which a command keeps: its undo and redo are swap(). Nothing is
-    /// emitted for an edit that wrote nothing.
+    /// emitted for an edit that wrote nothing, or that `work` has rolled back.
     template <class Work>
     terrain::Edit edit(Work work, terrain::VolumeRule rule = terrain::VolumeRule::GiveBack)
     {
-        terrain::TinEdit open(mTerrain.tin, rule);
-        work(open);
-        terrain::Edit done = open.commit();
+        terrain::Edit done;
+        {
+            const std::lock_guard lock(mState->changing);
+            terrain::TinEdit open(mState->terrain.tin, rule);
+            work(open);
+            if (open.isOpen())
+                done = open.commit();
+        }
         notify(done);
         return done;
     }
@@ -45,6 +52,10 @@ public:
     /// The terrain as it is now, for a worker that saves it while the user edits on. Cost: a copy of all memory.
     std::shared_ptr<const terrain::Terrain> snapshot() const;
 
+    /// Copies the terrain as it is when it is called, for a worker that must not keep the window waiting: it may be
+    /// called in any thread, after the document is gone too. A change that comes while it copies waits for it.
+    std::function<terrain::Terrain()> copier() const;
+
     /// A digest of everything that is saved: equal fingerprints mean that the same terrain comes back from the file. It
     /// does not depend on the numbers of vertices, triangles and constraints, which are no part of that. Cost: O(n).
     std::uint64_t fingerprint() const;
@@ -55,7 +66,12 @@ signals:
 private:
     void notify(const terrain::Edit &edit);
 
-    terrain::Terrain mTerrain;
+    struct State
+    {
+        terrain::Terrain terrain;
+        std::mutex changing; ///< held by changes, which come from one thread, and by copier()'s copies
+    };
+    const std::shared_ptr<State> mState;
 };
 
 /// The fingerprint of a terrain that is no document's.
