@@ -27,7 +27,7 @@ public:
 
     /// Carries out a command that was made for this document as it is now, and remembers it.
     /// A command that finds in its constructor that it would change nothing marks itself obsolete and is dropped.
-    void pushCommand(std::unique_ptr<QUndoCommand> command);
+    virtual void pushCommand(std::unique_ptr<QUndoCommand> command);
 
 protected:
     using QObject::QObject;
