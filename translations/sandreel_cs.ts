@@ -1096,6 +1096,359 @@
     </message>
 </context>
 <context>
+    <name>Tool</name>
+    <message>
+        <source>Imprint</source>
+        <translation>Otisk</translation>
+    </message>
+    <message>
+        <source>Rake</source>
+        <translation>Hrábě</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <translation>Zvednout</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Snížit</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>Zarovnat</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Vyhladit</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Šum</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampa</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Obnovit</translation>
+    </message>
+    <message>
+        <source>Pour</source>
+        <translation>Nasypat</translation>
+    </message>
+    <message>
+        <source>Scoop</source>
+        <translation>Nabrat</translation>
+    </message>
+    <message>
+        <source>Breakline</source>
+        <translation>Lomová čára</translation>
+    </message>
+    <message>
+        <source>Moisten</source>
+        <translation>Navlhčit</translation>
+    </message>
+    <message>
+        <source>Presses a rigid shape into the ground; what it displaces lies around it</source>
+        <translation>Zatlačí pevný tvar do povrchu; co vytlačí, leží kolem něj</translation>
+    </message>
+    <message>
+        <source>Draws grooves side by side</source>
+        <translation>Kreslí rýhy vedle sebe</translation>
+    </message>
+    <message>
+        <source>Adds material</source>
+        <translation>Přidává materiál</translation>
+    </message>
+    <message>
+        <source>Takes material away</source>
+        <translation>Ubírá materiál</translation>
+    </message>
+    <message>
+        <source>Draws the ground towards one level</source>
+        <translation>Přitahuje povrch k jedné výšce</translation>
+    </message>
+    <message>
+        <source>Evens out bumps; the volume stays</source>
+        <translation>Vyrovnává hrboly; objem zůstává</translation>
+    </message>
+    <message>
+        <source>Adds hills and hollows</source>
+        <translation>Přidává kopečky a dolíky</translation>
+    </message>
+    <message>
+        <source>Makes an even slope from where you press to where you let go</source>
+        <translation>Vytvoří rovnoměrný svah od místa stisku k místu uvolnění</translation>
+    </message>
+    <message>
+        <source>Brings back the ground as it was at the chosen moment</source>
+        <translation>Vrací povrch do stavu ve zvoleném okamžiku</translation>
+    </message>
+    <message>
+        <source>Adds exactly this much material with each stamp</source>
+        <translation>Každým razítkem přidá přesně tolik materiálu</translation>
+    </message>
+    <message>
+        <source>Takes material out and says how much</source>
+        <translation>Odebírá materiál a říká, kolik</translation>
+    </message>
+    <message>
+        <source>Fixes edges of the surface along your line</source>
+        <translation>Upevní hrany povrchu podél vaší čáry</translation>
+    </message>
+    <message>
+        <source>Wets or dries the surface; wet material stands at other slopes</source>
+        <translation>Zvlhčuje nebo vysušuje povrch; vlhký materiál drží jiný sklon</translation>
+    </message>
+</context>
+<context>
+    <name>ToolFields</name>
+    <message>
+        <source>Level</source>
+        <translation>Výška hladiny</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Poloměr</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Síla</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Objem</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Hloubka</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>Kruh</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Čtverec</translation>
+    </message>
+    <message>
+        <source>Wedge</source>
+        <translation>Klín</translation>
+    </message>
+    <message>
+        <source>Own outline</source>
+        <translation>Vlastní obrys</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Tvar</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Natočení</translation>
+    </message>
+    <message>
+        <source>Follow the stroke</source>
+        <translation>Natáčet podle tahu</translation>
+    </message>
+    <message>
+        <source>Press to a fixed level</source>
+        <translation>Tlačit do pevné výšky</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Stěna</translation>
+    </message>
+    <message>
+        <source>radii</source>
+        <translation>poloměru</translation>
+    </message>
+    <message>
+        <source>How far the sole&apos;s edge lies inside the outline</source>
+        <translation>Jak daleko leží okraj dna uvnitř obrysu</translation>
+    </message>
+    <message>
+        <source>Rim as the material makes it</source>
+        <translation>Val podle materiálu</translation>
+    </message>
+    <message>
+        <source>Rim angle</source>
+        <translation>Úhel valu</translation>
+    </message>
+    <message>
+        <source>Compression</source>
+        <translation>Stlačení</translation>
+    </message>
+    <message>
+        <source>The part of what is displaced that is pressed together</source>
+        <translation>Část vytlačeného materiálu, která se stlačí</translation>
+    </message>
+    <message>
+        <source>Pen pressure: depth</source>
+        <translation>Přítlak pera: hloubka</translation>
+    </message>
+    <message>
+        <source>Falloff</source>
+        <translation>Útlum</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>Stálý</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Lineární</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Hladký</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Koule</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Hrot</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Podrobnost</translation>
+    </message>
+    <message>
+        <source>Vertices are added where they are farther apart</source>
+        <translation>Kde jsou vrcholy dál od sebe, přidají se další</translation>
+    </message>
+    <message>
+        <source>Pen pressure: radius</source>
+        <translation>Přítlak pera: poloměr</translation>
+    </message>
+    <message>
+        <source>Pen pressure: strength</source>
+        <translation>Přítlak pera: síla</translation>
+    </message>
+    <message>
+        <source>Tines</source>
+        <translation>Počet hrotů</translation>
+    </message>
+    <message>
+        <source>To a fixed level</source>
+        <translation>Na pevnou výšku</translation>
+    </message>
+    <message>
+        <source>Wavelength</source>
+        <translation>Vlnová délka</translation>
+    </message>
+    <message>
+        <source>Octaves</source>
+        <translation>Oktávy</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Semínko</translation>
+    </message>
+    <message>
+        <source>Fixed start</source>
+        <translation>Pevný začátek</translation>
+    </message>
+    <message>
+        <source>Fixed end</source>
+        <translation>Pevný konec</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Vlhkost</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Rozestup</translation>
+    </message>
+    <message>
+        <source>Of its vertices; 0: only the corners of your line</source>
+        <translation>Vrcholů čáry; 0: jen v jejích rozích</translation>
+    </message>
+    <message>
+        <source>At a fixed level</source>
+        <translation>V pevné výšce</translation>
+    </message>
+    <message>
+        <source>Where lines cross</source>
+        <translation>Při křížení</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>Odmítnout</translation>
+    </message>
+    <message>
+        <source>Replace the other</source>
+        <translation>Nahradit druhou</translation>
+    </message>
+    <message>
+        <source>Join both</source>
+        <translation>Spojit obě</translation>
+    </message>
+    <message>
+        <source>Slope from</source>
+        <translation>Sklon od</translation>
+    </message>
+    <message>
+        <source>Slope to</source>
+        <translation>Sklon do</translation>
+    </message>
+    <message>
+        <source>Height from</source>
+        <translation>Výška od</translation>
+    </message>
+    <message>
+        <source>Height to</source>
+        <translation>Výška do</translation>
+    </message>
+    <message>
+        <source>Soft edge, slope</source>
+        <translation>Měkký okraj, sklon</translation>
+    </message>
+    <message>
+        <source>Soft edge, height</source>
+        <translation>Měkký okraj, výška</translation>
+    </message>
+</context>
+<context>
+    <name>ToolPreset</name>
+    <message>
+        <source>Finger</source>
+        <translation>Prst</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Dlaň</translation>
+    </message>
+    <message>
+        <source>Plough</source>
+        <translation>Pluh</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Krabice</translation>
+    </message>
+    <message>
+        <source>Garden Rake</source>
+        <translation>Zahradní hrábě</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Hřeben</translation>
+    </message>
+    <message>
+        <source>Small Dunes</source>
+        <translation>Malé duny</translation>
+    </message>
+</context>
+<context>
     <name>Undo</name>
     <message>
         <source>Remove Normalisation</source>
@@ -1148,6 +1501,46 @@
     <message>
         <source>Set Basis Step to %1</source>
         <translation>Nastavit krok báze na %1</translation>
+    </message>
+    <message>
+        <source>Add Material</source>
+        <translation>Přidat materiál</translation>
+    </message>
+    <message>
+        <source>Remove Material %1</source>
+        <translation>Odebrat materiál %1</translation>
+    </message>
+    <message>
+        <source>Change Material %1</source>
+        <translation>Změnit materiál %1</translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation>Nechat ustálit</translation>
+    </message>
+    <message>
+        <source>Remove Layer</source>
+        <translation>Odebrat vrstvu</translation>
+    </message>
+    <message>
+        <source>Add Layer</source>
+        <translation>Přidat vrstvu</translation>
+    </message>
+    <message>
+        <source>Fill Layer</source>
+        <translation>Vyplnit vrstvu</translation>
+    </message>
+    <message>
+        <source>Change Layer&apos;s Material</source>
+        <translation>Změnit materiál vrstvy</translation>
+    </message>
+    <message>
+        <source>Let Sand Slide</source>
+        <translation>Nechat písek sesouvat</translation>
+    </message>
+    <message>
+        <source>Let Sand Slide One Step</source>
+        <translation>Nechat písek sesunout o krok</translation>
     </message>
 </context>
 <context>
@@ -1935,6 +2328,197 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
     </message>
 </context>
 <context>
+    <name>views::ErosionDock</name>
+    <message>
+        <source>Erosion</source>
+        <translation>Eroze</translation>
+    </message>
+    <message>
+        <source>Slide &amp;while drawing</source>
+        <translation>Sesouvat &amp;při kreslení</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Krok</translation>
+    </message>
+    <message>
+        <source>Go once over everything that is too steep</source>
+        <translation>Projít jednou vše, co je příliš strmé</translation>
+    </message>
+    <message>
+        <source>&amp;Until Settled</source>
+        <translation>Až do &amp;ustálení</translation>
+    </message>
+    <message>
+        <source>Let everything slide in the background, until no face is too steep</source>
+        <translation>Nechat vše sesouvat na pozadí, dokud bude některý trojúhelník příliš strmý</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nyní</translation>
+    </message>
+    <message>
+        <source>Active triangles:</source>
+        <translation>Aktivní trojúhelníky:</translation>
+    </message>
+    <message>
+        <source>Moving:</source>
+        <translation>Sesouvá se:</translation>
+    </message>
+    <message>
+        <source>Moved:</source>
+        <translation>Sesunuto:</translation>
+    </message>
+    <message>
+        <source>Steepest face:</source>
+        <translation>Nejstrmější:</translation>
+    </message>
+    <message>
+        <source>Volume drift:</source>
+        <translation>Odchylka objemu:</translation>
+    </message>
+    <message>
+        <source>Volume that the ledger does not explain, as a part of the whole</source>
+        <translation>Objem, který účetnictví nevysvětluje, jako část celku</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Hrany</translation>
+    </message>
+    <message>
+        <source>Faces come to rest at the critical angle. Edges are the older rule: faces stay steeper.</source>
+        <translation>Trojúhelníky se ustálí na kritickém úhlu. Hrany jsou starší pravidlo: trojúhelníky zůstávají strmější.</translation>
+    </message>
+    <message>
+        <source>Rule:</source>
+        <translation>Pravidlo:</translation>
+    </message>
+    <message>
+        <source>Critical angle</source>
+        <translation>Kritický úhel</translation>
+    </message>
+    <message>
+        <source>Critical angle:</source>
+        <translation>Kritický úhel:</translation>
+    </message>
+    <message>
+        <source>from the materials</source>
+        <translation>podle materiálů</translation>
+    </message>
+    <message>
+        <source>Starts at:</source>
+        <translation>Začíná při:</translation>
+    </message>
+    <message>
+        <source>Degrees above the critical angle from which resting sand starts to slide</source>
+        <translation>Stupně nad kritickým úhlem, od nichž se klidný písek začne sesouvat</translation>
+    </message>
+    <message>
+        <source>Speed:</source>
+        <translation>Rychlost:</translation>
+    </message>
+    <message>
+        <source>Simulated seconds in a second</source>
+        <translation>Simulovaných sekund za sekundu</translation>
+    </message>
+    <message>
+        <source>Sweeps:</source>
+        <translation>Průchody:</translation>
+    </message>
+    <message>
+        <source>Over everything that may move, in a simulated second</source>
+        <translation>Přes vše, co se může pohnout, za simulovanou sekundu</translation>
+    </message>
+    <message>
+        <source>per s</source>
+        <translation>za s</translation>
+    </message>
+    <message>
+        <source>Over-relaxation:</source>
+        <translation>Nadrelaxace:</translation>
+    </message>
+    <message>
+        <source>Above 1, each step goes too far and all comes to rest sooner</source>
+        <translation>Nad 1 jde každý krok dál, než je třeba, a vše se ustálí dřív</translation>
+    </message>
+    <message>
+        <source>Longest edge:</source>
+        <translation>Nejdelší hrana:</translation>
+    </message>
+    <message>
+        <source>Longer ones are split before sand slides over them; 0: none</source>
+        <translation>Delší se rozdělí, než se po nich písek sesune; 0: žádná</translation>
+    </message>
+    <message>
+        <source>Vertical error:</source>
+        <translation>Svislá chyba:</translation>
+    </message>
+    <message>
+        <source>Vertices that are of no use are removed if the surface changes by no more; 0: none are</source>
+        <translation>Zbytečné vrcholy se odeberou, pokud se povrch nezmění o více; 0: žádné</translation>
+    </message>
+    <message>
+        <source>Redundancy angle:</source>
+        <translation>Úhel nadbytečnosti:</translation>
+    </message>
+    <message>
+        <source>Between the triangles around a vertex that may be of no use</source>
+        <translation>Mezi trojúhelníky kolem vrcholu, který může být zbytečný</translation>
+    </message>
+    <message>
+        <source>Time per frame:</source>
+        <translation>Čas na snímek:</translation>
+    </message>
+    <message>
+        <source>More slides sooner, less keeps the window quick</source>
+        <translation>Víc sesune dřív, míň nechá okno svižné</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Settle on a coarse grid first</source>
+        <translation>Ustálit nejprve na hrubé síti</translation>
+    </message>
+    <message>
+        <source>A third faster; the tip of a heap ends a hundredth lower</source>
+        <translation>O třetinu rychlejší; vrchol hromady skončí o setinu níž</translation>
+    </message>
+    <message>
+        <source>Settling…</source>
+        <translation>Ustaluje se…</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pozastavit</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Spustit</translation>
+    </message>
+    <message>
+        <source>%1 m³/s</source>
+        <translation>%1 m³/s</translation>
+    </message>
+    <message>
+        <source>%1 m³</source>
+        <translation>%1 m³</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
     <name>views::ErrorPanel</name>
     <message>
         <source>Not comparable with %1 now: %2</source>
@@ -2424,8 +3008,32 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
         <translation>Historie</translation>
     </message>
     <message>
-        <source>Steps of the animation</source>
-        <translation>Kroky úprav animace</translation>
+        <source>In memory: %1</source>
+        <translation>V paměti: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n older steps were dropped to stay within the limit.</source>
+        <translation>
+            <numerusform>%n starší krok byl zahozen kvůli mezi.</numerusform>
+            <numerusform>%n starší kroky byly zahozeny kvůli mezi.</numerusform>
+            <numerusform>%n starších kroků bylo zahozeno kvůli mezi.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Oldest Step Kept</source>
+        <translation>Nejstarší uchovaný krok</translation>
+    </message>
+    <message>
+        <source>Steps of the document</source>
+        <translation>Kroky dokumentu</translation>
+    </message>
+    <message>
+        <source>Limit of the history</source>
+        <translation>Mez historie</translation>
+    </message>
+    <message>
+        <source>&amp;Limit:</source>
+        <translation>&amp;Mez:</translation>
     </message>
 </context>
 <context>
@@ -2760,6 +3368,133 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     <message>
         <source>Error</source>
         <translation>Chyba</translation>
+    </message>
+</context>
+<context>
+    <name>views::MaterialDock</name>
+    <message>
+        <source>Dry Sand</source>
+        <translation>Suchý písek</translation>
+    </message>
+    <message>
+        <source>Moist Sand</source>
+        <translation>Vlhký písek</translation>
+    </message>
+    <message>
+        <source>Mud</source>
+        <translation>Bláto</translation>
+    </message>
+    <message>
+        <source>Snow</source>
+        <translation>Sníh</translation>
+    </message>
+    <message>
+        <source>Gravel</source>
+        <translation>Štěrk</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Vlastní</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Materiály</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Vrstvy</translation>
+    </message>
+    <message>
+        <source>Layers, the top one first</source>
+        <translation>Vrstvy od nejvyšší</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Materiál</translation>
+    </message>
+    <message>
+        <source>Mean Thickness</source>
+        <translation>Průměrná tloušťka</translation>
+    </message>
+    <message>
+        <source>Material:</source>
+        <translation>Materiál:</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Tloušťka</translation>
+    </message>
+    <message>
+        <source>Thickness:</source>
+        <translation>Tloušťka:</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Vlhkost</translation>
+    </message>
+    <message>
+        <source>Humidity:</source>
+        <translation>Vlhkost:</translation>
+    </message>
+    <message>
+        <source>&amp;Add on Top</source>
+        <translation>&amp;Přidat nahoru</translation>
+    </message>
+    <message>
+        <source>&amp;Fill Layer</source>
+        <translation>&amp;Vyplnit vrstvu</translation>
+    </message>
+    <message>
+        <source>Give the layer this thickness and humidity everywhere; the bedrock gives way</source>
+        <translation>Dát vrstvě všude tuto tloušťku a vlhkost; podloží ustoupí</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Layer</source>
+        <translation>&amp;Odebrat vrstvu</translation>
+    </message>
+    <message>
+        <source>What it held becomes bedrock</source>
+        <translation>Její obsah se stane podložím</translation>
+    </message>
+    <message>
+        <source>Preset:</source>
+        <translation>Předvolba:</translation>
+    </message>
+    <message>
+        <source>Density:</source>
+        <translation>Hustota:</translation>
+    </message>
+    <message>
+        <source>kg/m³</source>
+        <translation>kg/m³</translation>
+    </message>
+    <message>
+        <source>Poured humidity:</source>
+        <translation>Vlhkost při sypání:</translation>
+    </message>
+    <message>
+        <source>Compressibility:</source>
+        <translation>Stlačitelnost:</translation>
+    </message>
+    <message>
+        <source>A&amp;dd Material</source>
+        <translation>Přidat &amp;materiál</translation>
+    </message>
+    <message>
+        <source>R&amp;emove Material</source>
+        <translation>Odebrat m&amp;ateriál</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Critical angle</source>
+        <translation>Kritický úhel</translation>
+    </message>
+    <message>
+        <source>Angle at humidity %1:</source>
+        <translation>Úhel při vlhkosti %1:</translation>
     </message>
 </context>
 <context>
@@ -3675,6 +4410,89 @@ chyba KG %4</translation>
     <message>
         <source>Frame %1</source>
         <translation>Snímek %1</translation>
+    </message>
+</context>
+<context>
+    <name>views::ToolsDock</name>
+    <message>
+        <source>Tools</source>
+        <translation>Nástroje</translation>
+    </message>
+    <message>
+        <source>Restore to &amp;Now</source>
+        <translation>Obnovovat do &amp;nynějška</translation>
+    </message>
+    <message>
+        <source>From now on, Restore brings back the ground as it is at this moment</source>
+        <translation>Od nynějška bude Obnovit vracet povrch do stavu v tomto okamžiku</translation>
+    </message>
+    <message>
+        <source>Only Where</source>
+        <translation>Jen tam, kde</translation>
+    </message>
+    <message>
+        <source>Ready-made tools</source>
+        <translation>Hotové nástroje</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Vlastní</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Souměrnost</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Vypnuto</translation>
+    </message>
+    <message>
+        <source>Left and Right</source>
+        <translation>Vlevo a vpravo</translation>
+    </message>
+    <message>
+        <source>Front and Back</source>
+        <translation>Vpředu a vzadu</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Obojí</translation>
+    </message>
+    <message>
+        <source>Around</source>
+        <translation>Dokola</translation>
+    </message>
+    <message>
+        <source>&amp;Copies:</source>
+        <translation>&amp;Kopie:</translation>
+    </message>
+    <message>
+        <source>Number of copies</source>
+        <translation>Počet kopií</translation>
+    </message>
+    <message>
+        <source>N&amp;umber:</source>
+        <translation>&amp;Počet:</translation>
+    </message>
+    <message>
+        <source>Centre X</source>
+        <translation>Střed X</translation>
+    </message>
+    <message>
+        <source>Centre Y</source>
+        <translation>Střed Y</translation>
+    </message>
+    <message>
+        <source>Centre &amp;X:</source>
+        <translation>Střed &amp;X:</translation>
+    </message>
+    <message>
+        <source>Centre &amp;Y:</source>
+        <translation>Střed &amp;Y:</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
     </message>
 </context>
 <context>

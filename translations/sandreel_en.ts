@@ -51,4 +51,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>views::HistoryDock</name>
+    <message numerus="yes">
+        <source>%n older steps were dropped to stay within the limit.</source>
+        <translation>
+            <numerusform>%n older step was dropped to stay within the limit.</numerusform>
+            <numerusform>%n older steps were dropped to stay within the limit.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

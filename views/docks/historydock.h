@@ -4,12 +4,21 @@
 #include "commands/base/editcontext.h"
 
 #include <QDockWidget>
+#include <QPointer>
 
+class QLabel;
 class QUndoView;
+
+namespace commands {
+class HistoryBudget;
+}
 
 namespace views {
 
-/// The steps of the document, by name; a click goes there, the one that is saved is marked.
+class NumberField;
+
+/// The steps of the document, by name; a click goes there, the one that is saved is marked. Below them, for a terrain,
+/// what they keep in memory, and how much they may.
 class HistoryDock final : public QDockWidget
 {
     Q_OBJECT
@@ -25,8 +34,15 @@ protected:
 
 private:
     void retranslate();
+    void showBudget();
 
     QUndoView *mSteps;
+    QWidget *mBudgetRow;
+    QLabel *mUsed;
+    QLabel *mLimitLabel;
+    NumberField *mLimit = nullptr;
+    QPointer<commands::HistoryBudget> mBudget;
+    QMetaObject::Connection mBudgetChanges;
 };
 
 } // namespace views

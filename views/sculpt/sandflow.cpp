@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/sculpt/sandflow.h"
+
+#include "model/terrain/tin/surface.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace views {
+
+using namespace model::terrain;
+
+namespace {
+
+constexpr int FrameMilliseconds = 16;
+constexpr int FiguresMilliseconds = 200;
+/// The volume of a terrain of a million vertices takes 3 ms to add up.
+constexpr int DriftMilliseconds = 2000;
+/// Faces looked at in a frame, for the steepest one.
+constexpr TriangleId ScanPerFrame = 30000;
+/// A frame that came late is not caught up with.
+constexpr double LongestFrame = 0.05;
+
+} // namespace
+
+SandFlow::SandFlow(commands::TerrainContext &context, const ToolSettings &settings, QObject *parent)
+    : QObject(parent)
+    , mContext(context)
+    , mSettings(settings)
+{
+    mTimer.setInterval(FrameMilliseconds);
+    mTimer.setTimerType(Qt::PreciseTimer);
+    connect(&mTimer, &QTimer::timeout, this, &SandFlow::tick);
+    connect(&mSettings, &ToolSettings::flowChanged, this, &SandFlow::forget);
+    connect(&mContext, &commands::TerrainContext::gestureEnded, this, [this] {
+        if (mIsEnding)
+            return;
+        // Undone, or another command comes: what lies on the list may be gone.
+        stop();
+        mErosion.reset();
+    });
+    connect(&mContext.document(), &model::TerrainDocument::changed, this, [this](const model::TerrainChange &change) {
+        if (std::holds_alternative<model::MaterialsChanged>(change))
+            forget();
+    });
+}
+
+/// The list is lost with the erosion that had it; the flow itself goes on with the new settings.
+void SandFlow::forget()
+{
+    const bool wasRunning = isRunning();
+    mErosion.reset();
+    if (wasRunning && ensureErosion())
+        mErosion->activateAll(mContext.document().tin());
+}
+
+bool SandFlow::ensureErosion()
+{
+    if (mErosion)
+        return true;
+    auto erosion = Erosion::create(mSettings.flow().erosion, mContext.document().terrain().materials);
+    if (erosion)
+        mErosion = std::move(*erosion);
+    return erosion.has_value();
+}
+
+void SandFlow::note(const Edit &edit)
+{
+    if (!mSettings.flow().isOn || !ensureErosion())
+        return;
+    mErosion->activate(mContext.document().tin(), edit);
+    start();
+}
+
+void SandFlow::start()
+{
+    if (mTimer.isActive())
+        return;
+    mFigures = {};
+    mMovedSinceFigures = 0;
+    mScanned = 0;
+    mSteepest = 0;
+    mSinceFrame.start();
+    mSinceFigures.start();
+    mSinceDrift.start();
+    mTimer.start();
+    emit runningChanged(true);
+}
+
+void SandFlow::stop()
+{
+    if (!mTimer.isActive())
+        return;
+    mTimer.stop();
+    mFigures.movedPerSecond = 0;
+    mFigures.activeTriangles = mErosion ? mErosion->activeCount() : 0;
+    measure();
+    emit runningChanged(false);
+    emit figuresChanged();
+}
+
+void SandFlow::run()
+{
+    if (!ensureErosion())
+        return;
+    mContext.beginGesture(QCoreApplication::translate("Undo", "Let Sand Slide"));
+    if (!ensureErosion()) // the gesture before has taken it along
+        return;
+    mErosion->activateAll(mContext.document().tin());
+    start();
+}
+
+void SandFlow::pause()
+{
+    mIsEnding = true;
+    stop();
+    mContext.endGesture();
+    mIsEnding = false;
+}
+
+void SandFlow::step()
+{
+    pause();
+    if (!ensureErosion())
+        return;
+    if (mErosion->isAtRest())
+        mErosion->activateAll(mContext.document().tin());
+    mContext.beginGesture(QCoreApplication::translate("Undo", "Let Sand Slide One Step"));
+    advance(1 / mSettings.flow().erosion.sweepsPerSecond + 1e-9, 1e9);
+    pause();
+    measure();
+    mFigures.activeTriangles = mErosion ? mErosion->activeCount() : 0;
+    emit figuresChanged();
+}
+
+void SandFlow::advance(double seconds, double milliseconds)
+{
+    ErosionStatistics statistics;
+    const Edit *const edit = mContext.edit([&](TinEdit &open) {
+        if (const auto done = mErosion->run(open, seconds, {.milliseconds = milliseconds}))
+            statistics = *done;
+    });
+    mFigures.movedVolume += statistics.movedVolume;
+    mMovedSinceFigures += statistics.movedVolume;
+    if (edit)
+        emit flowed(*edit);
+}
+
+void SandFlow::tick()
+{
+    if (!mContext.hasGesture() || !ensureErosion())
+        return stop();
+    const double elapsed = std::min(double(mSinceFrame.nsecsElapsed()) * 1e-9, LongestFrame);
+    mSinceFrame.start();
+    advance(elapsed * mSettings.flow().speed, mSettings.flow().milliseconds);
+    const TinArrays &tin = mContext.document().tin().arrays();
+    const TriangleId end = std::min(mScanned + ScanPerFrame, tin.triangleSlots());
+    for (; mScanned < end; ++mScanned)
+        if (tin.isTriangle(mScanned) && !tin.isVoid(mScanned)) {
+            const Gradient g = gradientOf(tin, mScanned);
+            mSteepest = std::max(mSteepest, g.x * g.x + g.y * g.y);
+        }
+    if (mScanned >= tin.triangleSlots()) {
+        mFigures.steepest = std::atan(std::sqrt(mSteepest)) * 180 / M_PI;
+        mScanned = 0;
+        mSteepest = 0;
+    }
+    if (mSinceFigures.elapsed() >= FiguresMilliseconds) {
+        mFigures.movedPerSecond = mMovedSinceFigures * 1e3 / double(mSinceFigures.restart());
+        mMovedSinceFigures = 0;
+        mFigures.activeTriangles = mErosion->activeCount();
+        if (mSinceDrift.elapsed() >= DriftMilliseconds) {
+            mSinceDrift.restart();
+            measure();
+        }
+        emit figuresChanged();
+    }
+    if (mErosion->isAtRest()) {
+        if (mIsHeld)
+            stop();
+        else
+            pause();
+    }
+}
+
+/// What the ledger does not explain, in parts of the volume.
+void SandFlow::measure()
+{
+    const Tin &tin = mContext.document().tin();
+    const double volume = tin.volume(), expected = tin.ledger().expected();
+    mFigures.drift = (volume - expected) / std::max(std::abs(expected), 1e-300);
+}
+
+} // namespace views
