@@ -152,9 +152,12 @@ void RecoveryRecord::beginWithSnapshot()
         mPending.clear();
         mSettingsChanged = false;
         mHasJournal = true;
-        mIsBroken = false;
-        post([title = mTitle, path = mBase.path, terrain = std::move(terrain)](Writer &writer) {
-            return writer.begin(title, {path, 0, 0}, terrain.get());
+        post([this, title = mTitle, path = mBase.path, terrain = std::move(terrain)](Writer &writer) {
+            auto begun = writer.begin(title, {path, 0, 0}, terrain.get());
+            if (begun) // it works again: the next failure is told again
+                QMetaObject::invokeMethod(
+                    this, [this] { mIsBroken = false; }, Qt::QueuedConnection);
+            return begun;
         });
         mSyncing.start(SyncMilliseconds);
     });
@@ -201,12 +204,11 @@ void RecoveryRecord::waitUntilWritten()
 
 void RecoveryRecord::fail(const model::Error &error)
 {
-    if (std::exchange(mIsBroken, true))
-        return;
     mHasJournal = false;
     mSyncing.stop();
     mSoon.start(RetryMilliseconds);
-    emit failed(error);
+    if (!std::exchange(mIsBroken, true))
+        emit failed(error);
 }
 
 } // namespace editor

@@ -113,7 +113,7 @@ private slots:
         QTest::addColumn<QByteArray>("bytes");
         QTest::newRow("damaged") << "bad.anim" << QByteArray("this is no animation");
         QTest::newRow("empty") << "empty.anim" << QByteArray();
-        QTest::newRow("unknown") << "notes.txt" << QByteArray("hello");
+        QTest::newRow("unknown") << "notes.odt" << QByteArray("hello");
         QTest::newRow("missing") << "gone.anim" << QByteArray("-");
     }
     void whatCannotBeOpenedIsSaid()
