@@ -403,6 +403,114 @@
         <source>Write the terrain as a mesh, a raster or contours</source>
         <translation>Zapíše terén jako síť, rastr nebo vrstevnice</translation>
     </message>
+    <message>
+        <source>Scu&amp;lpt</source>
+        <translation>&amp;Modelovat</translation>
+    </message>
+    <message>
+        <source>The left button draws with the tool; else it turns the picture</source>
+        <translation>Levé tlačítko kreslí nástrojem, jinak otáčí obrazem</translation>
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation>&amp;Povrch</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;Material</source>
+        <translation>Barvit podle &amp;materiálu</translation>
+    </message>
+    <message>
+        <source>Draw the ground as what it is made of</source>
+        <translation>Kreslit povrch jako to, z čeho je</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;Height</source>
+        <translation>Barvit podle &amp;výšky</translation>
+    </message>
+    <message>
+        <source>Colour the ground by its height</source>
+        <translation>Obarvit povrch podle výšky</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;Slope</source>
+        <translation>Barvit podle &amp;sklonu</translation>
+    </message>
+    <message>
+        <source>Colour the ground by how steep it is</source>
+        <translation>Obarvit povrch podle toho, jak je strmý</translation>
+    </message>
+    <message>
+        <source>Colour by H&amp;umidity</source>
+        <translation>Barvit podle v&amp;lhkosti</translation>
+    </message>
+    <message>
+        <source>Colour the ground by how wet the layer on top is</source>
+        <translation>Obarvit povrch podle vlhkosti svrchní vrstvy</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;Thickness</source>
+        <translation>Barvit podle &amp;tloušťky</translation>
+    </message>
+    <message>
+        <source>Colour the ground by how much loose material lies on the bedrock</source>
+        <translation>Obarvit povrch podle toho, kolik sypkého materiálu leží na skále</translation>
+    </message>
+    <message>
+        <source>&amp;Contour Lines</source>
+        <translation>Vrst&amp;evnice</translation>
+    </message>
+    <message>
+        <source>Draw lines of equal height</source>
+        <translation>Kreslit čáry stejné výšky</translation>
+    </message>
+    <message>
+        <source>&amp;Edges of Triangles</source>
+        <translation>&amp;Hrany trojúhelníků</translation>
+    </message>
+    <message>
+        <source>Draw the triangles that the ground is made of</source>
+        <translation>Kreslit trojúhelníky, ze kterých povrch je</translation>
+    </message>
+    <message>
+        <source>Constrained E&amp;dges</source>
+        <translation>V&amp;ázané hrany</translation>
+    </message>
+    <message>
+        <source>Draw the edges that stamps and breaklines hold in place</source>
+        <translation>Kreslit hrany, které drží otisky a zlomy</translation>
+    </message>
+    <message>
+        <source>&amp;Low Quality</source>
+        <translation>&amp;Nízká kvalita</translation>
+    </message>
+    <message>
+        <source>Plain shading, for computers without a graphics card</source>
+        <translation>Prosté stínování, pro počítače bez grafické karty</translation>
+    </message>
+    <message>
+        <source>Medium &amp;Quality</source>
+        <translation>Střední &amp;kvalita</translation>
+    </message>
+    <message>
+        <source>Shadows and grains</source>
+        <translation>Stíny a zrna</translation>
+    </message>
+    <message>
+        <source>Hi&amp;gh Quality</source>
+        <translation>Vyso&amp;ká kvalita</translation>
+    </message>
+    <message>
+        <source>Grains on steep walls too, ripples and glints</source>
+        <translation>Zrna i na strmých stěnách, vlnky a záblesky</translation>
+    </message>
+    <message>
+        <source>&amp;Plain Recipe of Sand</source>
+        <translation>&amp;Prostý recept na písek</translation>
+    </message>
+    <message>
+        <source>A bump map with its contrast stretched, instead of sand as it looks outside</source>
+        <translation>Hrbolatá mapa s roztaženým kontrastem místo písku, jak vypadá venku</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -1975,6 +2083,22 @@
     <message>
         <source>Vertices, triangles, width and depth, size of the file</source>
         <translation>Vrcholy, trojúhelníky, šířka a hloubka, velikost souboru</translation>
+    </message>
+    <message>
+        <source>Drag: draw   Right drag: orbit   Wheel: zoom   F: radius   Shift+F: strength</source>
+        <translation>Tažení: kreslení   Pravé tlačítko: otáčení   Kolečko: přiblížení   F: poloměr   Shift+F: síla</translation>
+    </message>
+    <message>
+        <source>x %1 m   y %2 m   height %3 m</source>
+        <translation>x %1 m   y %2 m   výška %3 m</translation>
+    </message>
+    <message>
+        <source>slope %1°</source>
+        <translation>sklon %1°</translation>
+    </message>
+    <message>
+        <source>humidity %1</source>
+        <translation>vlhkost %1</translation>
     </message>
 </context>
 <context>

@@ -35,6 +35,7 @@ enum class ActionId {
     FrameRate,
     Normalise,
     Rename,
+    Sculpt,
     Shaded,
     ShadedWireframe,
     Wireframe,

@@ -9,7 +9,7 @@ namespace editor {
 namespace {
 
 // Raised when docks or toolbars come or go, so that an old layout does not hide the new ones.
-constexpr int StateVersion = 2;
+constexpr int StateVersion = 3;
 
 } // namespace
 

@@ -8,6 +8,9 @@
 #include "views/docks/compressiondock.h"
 #include "views/docks/historydock.h"
 #include "views/docks/logdock.h"
+#include "views/docks/terrain/erosiondock.h"
+#include "views/docks/terrain/materialdock.h"
+#include "views/docks/terrain/toolsdock.h"
 #include "views/docks/timelinedock.h"
 #include "views/widgets/icons.h"
 
@@ -40,6 +43,8 @@ MainWindow::MainWindow(Language &language)
     , mCompares(mActions, *mWorkspace, mSettings, mLog, *this)
     , mHelp(mActions, mSettings, *this)
     , mMenus(*this, mActions, mSettings, mLanguage)
+    , mGroundStyle(mActions, *mWorkspace, mMenus.groundMenu())
+    , mSandbox(mActions, *mWorkspace, *this)
     , mStatus(*statusBar(), *mWorkspace)
     , mDrops(*this)
     , mLayouts(*this, mSettings)
@@ -55,6 +60,7 @@ MainWindow::MainWindow(Language &language)
     connect(&mMenus, &Menus::openRequested, this, [this](const QString &path) { open({path}); });
     connect(&mMenus, &Menus::recentFilesCleared, mWelcome, &WelcomePage::refresh);
     connect(&mDrops, &DropTarget::dropped, this, &MainWindow::open);
+    connect(&mSandbox, &Sandbox::readingChanged, &mStatus, &StatusPanel::showReading);
     connect(&mFiles, &FileActions::quitReady, this, &QWidget::close);
     connect(mWorkspace, &Workspace::currentChanged, this, &MainWindow::followDocument);
     connect(mWorkspace, &Workspace::currentStateChanged, this, &MainWindow::followDocument);
@@ -77,8 +83,8 @@ MainWindow::~MainWindow()
 void MainWindow::makeToolBars()
 {
     makeToolBar("fileToolBar", {ActionId::Prepare, ActionId::NewTerrain, ActionId::Open, ActionId::Save});
-    makeToolBar("editToolBar", {ActionId::Undo, ActionId::Redo, ActionId::Trim, ActionId::Reverse, ActionId::Resample,
-                                ActionId::Normalise});
+    makeToolBar("editToolBar", {ActionId::Undo, ActionId::Redo, ActionId::Sculpt, ActionId::Trim, ActionId::Reverse,
+                                ActionId::Resample, ActionId::Normalise});
     QToolBar *view = makeToolBar("viewToolBar",
                                  {ActionId::Shaded, ActionId::ShadedWireframe, ActionId::Wireframe, ActionId::Points});
     mDensity = view->addWidget(mViews.makeDensitySlider(view));
@@ -109,6 +115,13 @@ void MainWindow::makeDocks()
     addDockWidget(Qt::RightDockWidgetArea, mCompression);
     addDockWidget(Qt::RightDockWidgetArea, mHistory);
     addDockWidget(Qt::BottomDockWidgetArea, mLogDock);
+    addDockWidget(Qt::LeftDockWidgetArea, &mSandbox.tools());
+    for (QDockWidget *dock :
+         {static_cast<QDockWidget *>(&mSandbox.erosion()), static_cast<QDockWidget *>(&mSandbox.materials())}) {
+        addDockWidget(Qt::RightDockWidgetArea, dock);
+        splitDockWidget(dock, mHistory, Qt::Vertical);
+    }
+    tabifyDockWidget(&mSandbox.materials(), &mSandbox.erosion());
     splitDockWidget(mTimeline, mLogDock, Qt::Vertical);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     mLogDock->hide();
@@ -124,10 +137,13 @@ void MainWindow::makeDocks()
     }
     mLayouts.add(*mTimeline, DocumentKind::Animation);
     mLayouts.add(*mCompression, DocumentKind::Animation);
+    QList<QDockWidget *> sandbox{&mSandbox.tools(), &mSandbox.erosion(), &mSandbox.materials()};
+    for (QDockWidget *dock : sandbox)
+        mLayouts.add(*dock, DocumentKind::Terrain);
     mLayouts.add(*mHistory, {});
     mLayouts.add(*mLogDock, {}, true);
     QList<QAction *> docks;
-    for (QDockWidget *dock : std::initializer_list<QDockWidget *>{mTimeline, mCompression, mHistory, mLogDock}) {
+    for (QDockWidget *dock : sandbox + QList<QDockWidget *>{mTimeline, mCompression, mHistory, mLogDock}) {
         dock->toggleViewAction()->setObjectName(QStringLiteral("view.") + dock->objectName());
         mActions.adopt(*dock->toggleViewAction(), QT_TRANSLATE_NOOP("Actions", "&View"));
         docks << dock->toggleViewAction();
@@ -160,6 +176,7 @@ void MainWindow::showKind(DocumentKind kind)
     mActions.showFor(kind);
     for (QAction *action : {mMenus.playMenu().menuAction(), mDensity})
         action->setVisible(kind == DocumentKind::Animation);
+    mMenus.groundMenu().menuAction()->setVisible(kind == DocumentKind::Terrain);
 }
 
 void MainWindow::letGo()
@@ -210,6 +227,7 @@ void MainWindow::retranslate()
     mActions.retranslate();
     mMenus.retranslate();
     mViews.retranslate();
+    mGroundStyle.retranslate();
     mStatus.retranslate();
     for (QToolBar *bar : mToolBars)
         for (const auto &[key, title] : ToolBarTitles)

@@ -12,6 +12,8 @@
 #include "app/editor/language.h"
 #include "app/editor/menus.h"
 #include "app/editor/messagelog.h"
+#include "app/editor/sandbox/groundstyle.h"
+#include "app/editor/sandbox/sandbox.h"
 #include "app/editor/settings.h"
 #include "app/editor/statuspanel.h"
 #include "app/editor/viewactions.h"
@@ -77,6 +79,8 @@ private:
     CompareActions mCompares;
     HelpActions mHelp;
     Menus mMenus;
+    GroundStyle mGroundStyle;
+    Sandbox mSandbox;
     StatusPanel mStatus;
     DropTarget mDrops;
     DockLayouts mLayouts;

@@ -87,6 +87,7 @@ void Menus::fillEdit()
     menu->addSeparator();
     menu->addAction(&mActions[ActionId::Normalise]);
     menu->addAction(&mActions[ActionId::Rename]);
+    menu->addAction(&mActions[ActionId::Sculpt]);
 }
 
 void Menus::fillView()
@@ -98,6 +99,7 @@ void Menus::fillView()
     menu->addAction(&mActions[ActionId::Fit]);
     menu->addAction(&mActions[ActionId::Statistics]);
     menu->addSeparator();
+    mGround = addMenu(menu, QT_TRANSLATE_NOOP("Actions", "&Ground"));
     for (const ActionId id : {ActionId::Compare, ActionId::ErrorColors, ActionId::ErrorRange, ActionId::StopComparing})
         menu->addAction(&mActions[id]);
     menu->addSeparator();

@@ -26,6 +26,8 @@ public:
 
     /// Where the actions of the timeline go.
     QMenu &playMenu() { return *mPlay; }
+    /// How terrains are drawn.
+    QMenu &groundMenu() { return *mGround; }
     /// Where docks and toolbars can be shown and hidden; call when all of them are there.
     void addPanelActions(const QList<QAction *> &docks, const QList<QAction *> &toolBars);
     void retranslate();
@@ -56,6 +58,7 @@ private:
     Language &mLanguage;
     std::vector<Titled> mTitled;
     QMenu *mPlay = nullptr;
+    QMenu *mGround = nullptr;
     QMenu *mRecent = nullptr;
     QMenu *mSamples = nullptr;
     QMenu *mDocks = nullptr;

@@ -87,7 +87,30 @@ void StatusPanel::showTerrain(const OpenTerrain &document)
     mNumbers->setVisible(true);
     mNumbers->setText(parts.join(QStringLiteral("   ")));
     mNumbers->setToolTip(tr("Vertices, triangles, width and depth, size of the file"));
-    mHint->clear();
+    mHint->setText(readingText());
+}
+
+void StatusPanel::showReading(const std::optional<views::GroundReading> &reading)
+{
+    mReading = reading;
+    if (mWorkspace.currentTerrain())
+        mHint->setText(readingText());
+}
+
+QString StatusPanel::readingText() const
+{
+    if (!mReading)
+        return tr("Drag: draw   Right drag: orbit   Wheel: zoom   F: radius   Shift+F: strength");
+    const QLocale locale;
+    const auto metres = [&](double value) { return locale.toString(value, 'f', 2); };
+    QStringList parts{tr("x %1 m   y %2 m   height %3 m")
+                          .arg(metres(mReading->point.x), metres(mReading->point.y), metres(mReading->point.z)),
+                      tr("slope %1°").arg(locale.toString(mReading->slope, 'f', 1))};
+    if (!mReading->material.isEmpty())
+        parts << mReading->material;
+    if (mReading->humidity)
+        parts << tr("humidity %1").arg(views::percentText(100 * double(*mReading->humidity)));
+    return parts.join(QStringLiteral("   "));
 }
 
 } // namespace editor

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "views/sculpt/strokecontroller.h"
+
 #include <QObject>
 
 class QLabel;
@@ -19,8 +21,12 @@ class StatusPanel final : public QObject
 public:
     StatusPanel(QStatusBar &bar, Workspace &workspace);
     void retranslate() { update(); }
+    /// What lies under the pointer on a terrain; nothing beside it.
+    void showReading(const std::optional<views::GroundReading> &reading);
 
 private:
+    QString readingText() const;
+
     void follow();
     void update();
     void showTerrain(const OpenTerrain &document);
@@ -29,6 +35,7 @@ private:
     Workspace &mWorkspace;
     QLabel *mHint;
     QLabel *mNumbers;
+    std::optional<views::GroundReading> mReading;
     QMetaObject::Connection mChanges;
 };
 

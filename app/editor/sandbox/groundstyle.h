@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/editor/settings.h"
+#include "views/terrain/terrainstyle.h"
+
+#include <QObject>
+
+#include <vector>
+
+class QAction;
+class QMenu;
+
+namespace editor {
+
+class Actions;
+class Workspace;
+
+/// How terrains are drawn, as a menu: what colours tell, lines on the ground, and how much work goes into the picture.
+/// All terrains are drawn alike.
+class GroundStyle final : public QObject
+{
+    Q_OBJECT
+
+public:
+    GroundStyle(Actions &actions, Workspace &workspace, QMenu &menu);
+
+    void retranslate();
+
+private:
+    struct Row;
+    static const std::vector<Row> &rows();
+
+    void follow();
+
+    Workspace &mWorkspace;
+    views::TerrainStyle mStyle;
+    std::vector<QAction *> mActions; ///< of the rows
+};
+
+} // namespace editor
