@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/terrain/newterrain.h"
+#include "tests/app/editor/windowdriver.h"
+#include "tests/support/testmain.h"
+#include "views/docks/terrain/erosiondock.h"
+#include "views/docks/terrain/toolsdock.h"
+#include "views/terrain/terrainviewport.h"
+
+#include <QLabel>
+#include <QSettings>
+#include <QStatusBar>
+
+using editor::ActionId;
+
+/// A person at the sandbox: the tools, docks and keys of the window, on the ground of a tab.
+class TestSandbox final : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> mFolder;
+
+    QString makeFile(const QString &name) const
+    {
+        model::io::NewTerrain description;
+        description.width = description.depth = 20;
+        description.spacing = 1;
+        description.layers = {{model::terrain::material(model::terrain::MaterialPreset::DrySand), 2}};
+        const auto terrain = model::io::makeTerrain(description);
+        const QString path = mFolder->filePath(name);
+        if (!terrain || !model::io::saveTerrain(path, *terrain, {}))
+            QTest::qFail("the test file cannot be made", __FILE__, __LINE__);
+        return path;
+    }
+    static views::TerrainViewport &viewport(tests::WindowDriver &driver)
+    {
+        return *driver.window.workspace().currentTerrain()->viewport();
+    }
+    /// Where this place of the flat ground is seen.
+    static QPoint seen(tests::WindowDriver &driver, double x, double y)
+    {
+        const double z = driver.terrain().terrain().tin().heightAt({x, y});
+        return viewport(driver).placeOf({x, y, z}).value_or(QPointF()).toPoint();
+    }
+    static void open(tests::WindowDriver &driver, const QString &path)
+    {
+        driver.window.open({path});
+        QVERIFY(driver.settle());
+        QTRY_VERIFY(!viewport(driver).isLoading());
+    }
+    static void press(tests::WindowDriver &driver)
+    {
+        QTest::mouseMove(&viewport(driver), seen(driver, 6, 10));
+        QTest::mousePress(&viewport(driver), Qt::LeftButton, {}, seen(driver, 6, 10));
+        for (double x = 7; x <= 14; x += 1)
+            QTest::mouseMove(&viewport(driver), seen(driver, x, 10));
+    }
+    static void draw(tests::WindowDriver &driver)
+    {
+        press(driver);
+        QTest::mouseRelease(&viewport(driver), Qt::LeftButton, {}, seen(driver, 14, 10));
+        QTRY_VERIFY(!driver.terrain().context()->hasGesture()); // what it set in motion rests
+    }
+
+private slots:
+    void init()
+    {
+        QSettings().clear();
+        mFolder = std::make_unique<QTemporaryDir>();
+    }
+
+    void strokeIsOneStepUndoneExactlyAndSaved()
+    {
+        const QString path = makeFile("flat.terrain");
+        tests::WindowDriver driver;
+        open(driver, path);
+        editor::OpenTerrain &document = driver.terrain();
+        const std::uint64_t before = document.terrain().tin().fingerprint();
+        const double flat = document.terrain().tin().heightAt({10, 10});
+        draw(driver);
+        // A trace from 6 to 14, and nothing where nobody drew.
+        QVERIFY(document.terrain().tin().heightAt({10, 10}) < flat - 1e-3);
+        QCOMPARE(document.terrain().tin().heightAt({10, 2}), flat);
+        QCOMPARE(document.context()->undoStack().count(), 1);
+        QVERIFY(document.terrain().tin().arrays().totals.vertices > 21 * 21);
+        const std::uint64_t after = document.terrain().tin().fingerprint();
+        driver.action(ActionId::Undo).trigger();
+        QCOMPARE(document.terrain().tin().fingerprint(), before);
+        driver.action(ActionId::Redo).trigger();
+        QCOMPARE(document.terrain().tin().fingerprint(), after);
+
+        driver.action(ActionId::Save).trigger();
+        QVERIFY(driver.settle());
+        const std::uint64_t saved = document.terrain().fingerprint();
+        tests::WindowDriver again;
+        open(again, path);
+        QCOMPARE(again.terrain().terrain().fingerprint(), saved);
+    }
+
+    void rightClickTakesTheStrokeBack()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        const std::uint64_t before = driver.terrain().terrain().tin().fingerprint();
+        press(driver);
+        QVERIFY(driver.terrain().terrain().tin().fingerprint() != before);
+        QTest::mousePress(&viewport(driver), Qt::RightButton, {}, seen(driver, 14, 10));
+        QCOMPARE(driver.terrain().terrain().tin().fingerprint(), before);
+        QCOMPARE(driver.terrain().context()->undoStack().count(), 0);
+        QVERIFY(!driver.terrain().isModified());
+    }
+
+    void undoInTheMidstOfAStrokeTakesAllOfIt()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        const std::uint64_t before = driver.terrain().terrain().tin().fingerprint();
+        press(driver);
+        QTest::qWait(100); // sand slides
+        driver.action(ActionId::Undo).trigger();
+        QCOMPARE(driver.terrain().terrain().tin().fingerprint(), before);
+        QTest::mouseMove(&viewport(driver), seen(driver, 5, 5));
+        QTest::mouseRelease(&viewport(driver), Qt::LeftButton, {}, seen(driver, 5, 5));
+        QTest::qWait(50);
+        QCOMPARE(driver.terrain().terrain().tin().fingerprint(), before);
+    }
+
+    void withoutSculptTheMouseTurnsThePicture()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        const std::uint64_t before = driver.terrain().terrain().tin().fingerprint();
+        const float yaw = viewport(driver).camera().yaw;
+        driver.action(ActionId::Sculpt).trigger();
+        press(driver);
+        QTest::mouseRelease(&viewport(driver), Qt::LeftButton, {}, {10, 10});
+        QCOMPARE(driver.terrain().terrain().tin().fingerprint(), before);
+        QVERIFY(viewport(driver).camera().yaw != yaw);
+    }
+
+    void tabsComeAndGoInTheMidstOfStrokes()
+    {
+        const QString path = makeFile("flat.terrain");
+        tests::WindowDriver driver;
+        open(driver, path);
+        press(driver);
+        driver.window.open({makeFile("other.terrain")}); // hiding the tab cancels the stroke
+        QVERIFY(driver.settle());
+        driver.action(ActionId::PreviousTab).trigger();
+        QVERIFY(!driver.terrain().isModified());
+        press(driver);
+        driver.terrain().reload();
+        QVERIFY(driver.settle());
+        QVERIFY(!driver.terrain().isModified());
+        draw(driver); // the new ground takes strokes again
+        QCOMPARE(driver.terrain().context()->undoStack().count(), 1);
+        driver.action(ActionId::NextTab).trigger();
+        driver.action(ActionId::CloseTab).trigger();
+        QTRY_COMPARE(driver.window.findChildren<editor::TerrainTab *>().size(), 1);
+        auto *erosion = driver.window.findChild<views::ErosionDock *>();
+        QVERIFY(erosion && erosion->isVisible());
+    }
+
+    void statusBarReadsTheGround()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        QTest::mouseMove(&viewport(driver), seen(driver, 5, 5));
+        const auto texts = [&driver] {
+            QStringList all;
+            for (const QLabel *label : driver.window.statusBar()->findChildren<QLabel *>())
+                all << label->text();
+            return all.join('\n');
+        };
+        QTRY_VERIFY2(texts().contains("slope"), qPrintable(texts()));
+        QVERIFY2(texts().contains(QLocale().toString(0.0, 'f', 1)), qPrintable(texts()));
+        QVERIFY2(texts().contains("Dry sand", Qt::CaseInsensitive), qPrintable(texts()));
+    }
+
+    void groundIsDrawnAsTheMenuSays()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        auto *height = driver.window.findChild<QAction *>("ground.height");
+        auto *contours = driver.window.findChild<QAction *>("ground.contours");
+        QVERIFY(height && contours && height->isEnabled() && !height->isChecked() && !contours->isChecked());
+        QVERIFY(driver.window.findChild<QAction *>("ground.material")->isChecked());
+        height->trigger();
+        contours->trigger();
+        QVERIFY(viewport(driver).style().overlay == views::GroundOverlay::Height);
+        QVERIFY(viewport(driver).style().hasContours);
+        driver.window.open({makeFile("other.terrain")});
+        QVERIFY(driver.settle());
+        QVERIFY(viewport(driver).style().overlay == views::GroundOverlay::Height);
+        driver.window.findChild<QAction *>("ground.material")->trigger();
+        contours->trigger();
+        QVERIFY(viewport(driver).style().overlay == views::GroundOverlay::None);
+        QVERIFY(!viewport(driver).style().hasContours);
+    }
+};
+
+SANDREEL_TEST(TestSandbox)
+#include "tst_sandbox.moc"
