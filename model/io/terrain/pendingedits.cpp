@@ -40,9 +40,7 @@ void PendingEdits::add(const Edit &edit, const TinArrays &tin)
 /// takes ten times as long. \returns false if the edit did something else, too
 bool PendingEdits::addValues(const Edit &edit, const TinArrays &tin)
 {
-    bool hasLinks = false;
-    Journal::forEachLinkedVertex(edit, [&](VertexId) { hasLinks = true; });
-    if (hasLinks)
+    if (!edit.isValuesOnly())
         return false;
     const std::vector<SlotRange> layers = edit.dirtyRanges(TinPart::Layers);
     if (layers.size() == 1 && layers[0].count == tin.vertexSlots())

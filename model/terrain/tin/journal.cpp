@@ -57,6 +57,13 @@ bool Edit::isEmpty() const
            mBefore.triangles == mAfter.triangles && mBefore.records == mAfter.records;
 }
 
+bool Edit::isValuesOnly() const
+{
+    return mPoints.empty() && mLinks.empty() && mTriangles.empty() && mRecords.empty() && !mChangesLayers &&
+           mBefore.vertices == mAfter.vertices && mBefore.triangles == mAfter.triangles &&
+           mBefore.records == mAfter.records;
+}
+
 std::vector<SlotRange> Edit::dirtyRanges(TinPart part) const
 {
     std::vector<std::uint32_t> slots;

@@ -28,6 +28,8 @@ public:
     /// Memory that the edit holds, for a history's budget.
     std::size_t byteSize() const;
     bool isEmpty() const;
+    /// Nothing but heights and layers: no vertex, triangle or constraint is another.
+    bool isValuesOnly() const;
     /// The slots of `part` that the edit wrote, ascending, neighbours joined: what to upload or save again.
     std::vector<SlotRange> dirtyRanges(TinPart part) const;
 
