@@ -17,15 +17,15 @@ namespace {
 
 /// OBJ, OFF and PLY. \returns true if the faces are those of `known`
 Result<bool> parseIndexed(MeshKind kind, std::string_view bytes, ParsedMesh &mesh, const Progress &progress,
-                          const KnownFaces &known)
+                          const KnownFaces &known, std::vector<Vec3d> *precise = nullptr)
 {
     if (kind == MeshKind::Obj)
-        return parseObj(bytes, mesh, progress, known);
+        return parseObj(bytes, mesh, progress, known, precise);
     if (kind == MeshKind::Off)
         return parseOff(bytes, mesh, progress, known);
     mesh.clear();
     mesh.facesBegin = bytes.size();
-    if (auto parsed = parsePly(bytes, mesh.mesh, progress); !parsed)
+    if (auto parsed = parsePly(bytes, mesh.mesh, progress, precise); !parsed)
         return fail(std::move(parsed.error()));
     return false;
 }
@@ -49,6 +49,26 @@ Result<TriangleMesh> parseMesh(MeshKind kind, std::string_view bytes, const Prog
     if (!frame)
         return fail(std::move(frame.error()));
     return frame->takeMesh();
+}
+
+Result<PreciseMesh> parsePreciseMesh(MeshKind kind, std::string_view bytes, const Progress &progress)
+{
+    PreciseMesh precise;
+    if (kind == MeshKind::Stl) {
+        std::vector<Vec3f> corners;
+        std::vector<Vec3d> wide;
+        if (auto parsed = parseStl(bytes, corners, progress, &wide); !parsed)
+            return fail(std::move(parsed.error()));
+        precise.positions = weldCorners(wide, precise.connectivity);
+        return precise;
+    }
+    ParsedMesh mesh;
+    if (auto parsed = parseIndexed(kind, bytes, mesh, progress, {}, &precise.positions); !parsed)
+        return fail(std::move(parsed.error()));
+    if (kind == MeshKind::Off)
+        precise.positions.assign(mesh.mesh.positions.begin(), mesh.mesh.positions.end());
+    precise.connectivity = std::move(mesh.mesh.connectivity);
+    return precise;
 }
 
 Result<FirstFrame> FirstFrame::parse(MeshKind kind, std::string_view bytes, std::string file, const Progress &progress)

@@ -3,6 +3,7 @@
 
 #include "model/base/error.h"
 #include "model/base/progress.h"
+#include "model/geometry/vec3d.h"
 #include "model/io/parsedmesh.h"
 
 #include <optional>
@@ -24,6 +25,15 @@ QStringList meshEndings();
 
 /// Parses a mesh file. Errors as the format's parser; NoVertices.
 Result<TriangleMesh> parseMesh(MeshKind kind, std::string_view bytes, const Progress &progress = Progress());
+
+struct PreciseMesh
+{
+    std::vector<Vec3d> positions;
+    Connectivity connectivity;
+};
+/// The same with positions in double, as text and PLY of 64 bits have them: for coordinates whose offsets leave floats
+/// no centimetres.
+Result<PreciseMesh> parsePreciseMesh(MeshKind kind, std::string_view bytes, const Progress &progress = Progress());
 
 /// The first frame of an animation, and what is kept of it to read the others: they differ in their positions only.
 /// parseNext() may run in several threads.

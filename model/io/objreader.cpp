@@ -3,6 +3,8 @@
 
 #include "model/io/textcursor.h"
 
+#include <array>
+
 namespace model::io {
 
 namespace {
@@ -10,11 +12,12 @@ namespace {
 class ObjParser
 {
 public:
-    ObjParser(std::string_view text, ParsedMesh &mesh)
+    ObjParser(std::string_view text, ParsedMesh &mesh, std::vector<Vec3d> *precise)
         : mCursor(text)
         , mMesh(mesh)
         , mPositions(mesh.mesh.positions)
         , mTriangles(mesh.mesh.connectivity.triangles)
+        , mPrecise(precise)
     {}
 
     Result<bool> parse(const Progress &progress, const KnownFaces &known)
@@ -53,14 +56,21 @@ private:
     {
         mCursor.advance();
         Vec3f p;
-        for (float *const c : {&p.x, &p.y, &p.z}) {
+        Vec3d wide;
+        for (int i = 0; i < 3; ++i) {
             mCursor.skipBlanksAndContinuations();
-            if (!mCursor.number(*c))
+            float &c = *std::array{&p.x, &p.y, &p.z}[i];
+            double &w = *std::array{&wide.x, &wide.y, &wide.z}[i];
+            if (!(mPrecise ? mCursor.number(w) : mCursor.number(c)))
                 return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a coordinate"));
+            if (mPrecise)
+                c = float(w);
         }
         if (!isFinite(p))
             return failAtLine(mCursor.line(), ErrorCode::NonFinite, vertexName(mPositions.size()));
         mPositions.push_back(p);
+        if (mPrecise)
+            mPrecise->push_back(wide);
         mMesh.facesLast = mMesh.facesLast && mFirstFace;
         return {};
     }
@@ -144,16 +154,18 @@ private:
     ParsedMesh &mMesh;
     std::vector<Vec3f> &mPositions;
     std::vector<Triangle> &mTriangles;
+    std::vector<Vec3d> *const mPrecise;
     std::vector<ForwardReference> mForward;
     bool mFirstFace = true;
 };
 
 } // namespace
 
-Result<bool> parseObj(std::string_view text, ParsedMesh &mesh, const Progress &progress, const KnownFaces &known)
+Result<bool> parseObj(std::string_view text, ParsedMesh &mesh, const Progress &progress, const KnownFaces &known,
+                      std::vector<Vec3d> *precise)
 {
     mesh.clear();
-    return ObjParser(text, mesh).parse(progress, known);
+    return ObjParser(text, mesh, precise).parse(progress, known);
 }
 
 } // namespace model::io

@@ -3,6 +3,7 @@
 
 #include "model/base/error.h"
 #include "model/base/progress.h"
+#include "model/geometry/vec3d.h"
 #include "model/io/parsedmesh.h"
 
 namespace model::io {
@@ -11,10 +12,11 @@ namespace model::io {
 /// from the last vertex; polygons become fans). Everything else is skipped. `\` at a line's end continues `v` and `f`.
 /// \param mesh   written; its memory is reused
 /// \param known  if the faces are these, they are not parsed, and `mesh` gets no triangles
+/// \param precise  where not null: gets the positions in double
 /// \returns      true if the faces are those of `known`
 /// \error SyntaxError, NonFinite, IndexOutOfRange, each with its line; NoVertices; Cancelled
 /// Format: Wavefront, "Advanced Visualizer" appendix B1, 1992. Differs: the `w` of a vertex is ignored.
 Result<bool> parseObj(std::string_view text, ParsedMesh &mesh, const Progress &progress = Progress(),
-                      const KnownFaces &known = {});
+                      const KnownFaces &known = {}, std::vector<Vec3d> *precise = nullptr);
 
 } // namespace model::io

@@ -44,15 +44,15 @@ public:
             return std::uint32_t(bits<4>());
         }
     }
-    Result<float> coordinate(PlyType type)
+    Result<double> coordinate(PlyType type)
     {
         if (const std::size_t size = sizeOf(type); left() < size)
             return truncated(size);
         if (type == PlyType::Float32)
-            return std::bit_cast<float>(std::uint32_t(bits<4>()));
+            return double(std::bit_cast<float>(std::uint32_t(bits<4>())));
         if (type == PlyType::Float64)
-            return float(std::bit_cast<double>(bits<8>()));
-        return float(*integer(type));
+            return std::bit_cast<double>(bits<8>());
+        return double(*integer(type));
     }
     Result<void> skip(PlyType type, std::uint64_t count)
     {
@@ -110,8 +110,9 @@ private:
 class TextValues
 {
 public:
-    explicit TextValues(const TextCursor &cursor)
+    TextValues(const TextCursor &cursor, bool isPrecise)
         : mCursor(cursor)
+        , mIsPrecise(isPrecise)
     {}
 
     Result<std::int64_t> integer(PlyType)
@@ -123,13 +124,14 @@ public:
             return start.failExpected(QT_TRANSLATE_NOOP("ErrorText", "an integer"));
         return value;
     }
-    Result<float> coordinate(PlyType)
+    Result<double> coordinate(PlyType)
     {
         skipSpace();
-        float value = 0;
-        if (!mCursor.number(value))
+        float narrow = 0;
+        double value = 0;
+        if (!(mIsPrecise ? mCursor.number(value) : mCursor.number(narrow)))
             return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a coordinate"));
-        return value;
+        return mIsPrecise ? value : double(narrow);
     }
     Result<void> skip(PlyType, std::uint64_t count)
     {
@@ -168,17 +170,19 @@ private:
     }
 
     TextCursor mCursor;
+    const bool mIsPrecise;
 };
 
 template <class Values>
 class ElementReader
 {
 public:
-    ElementReader(Values values, const PlyHeader &header, TriangleMesh &mesh)
+    ElementReader(Values values, const PlyHeader &header, TriangleMesh &mesh, std::vector<Vec3d> *precise)
         : mValues(std::move(values))
         , mHeader(header)
         , mPositions(mesh.positions)
         , mTriangles(mesh.connectivity.triangles)
+        , mPrecise(precise)
     {}
 
     Result<void> readAll(const Progress &progress)
@@ -213,7 +217,7 @@ private:
 
     Result<void> readElement(const PlyElement &element)
     {
-        Vec3f p;
+        Vec3d p;
         for (const PlyProperty &property : element.properties) {
             Result<void> done;
             switch (property.role) {
@@ -236,17 +240,20 @@ private:
             if (!done)
                 return done;
         }
-        if (element.kind == Kind::Vertex)
-            mPositions.push_back(p);
+        if (element.kind == Kind::Vertex) {
+            mPositions.push_back({float(p.x), float(p.y), float(p.z)});
+            if (mPrecise)
+                mPrecise->push_back(p);
+        }
         return {};
     }
 
-    Result<void> readCoordinate(const PlyProperty &property, float &value)
+    Result<void> readCoordinate(const PlyProperty &property, double &value)
     {
-        const Result<float> read = mValues.coordinate(property.type);
+        const Result<double> read = mValues.coordinate(property.type);
         if (!read)
             return fail(read.error());
-        if (!std::isfinite(*read))
+        if (!std::isfinite(float(*read)))
             return mValues.at(fail(ErrorCode::NonFinite, "vertex " + std::to_string(mPositions.size())));
         value = *read;
         return {};
@@ -301,11 +308,12 @@ private:
     const PlyHeader &mHeader;
     std::vector<Vec3f> &mPositions;
     std::vector<Triangle> &mTriangles;
+    std::vector<Vec3d> *const mPrecise;
 };
 
 } // namespace
 
-Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress &progress)
+Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress &progress, std::vector<Vec3d> *precise)
 {
     mesh.positions.clear();
     mesh.connectivity.triangles.clear();
@@ -317,9 +325,9 @@ Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress
     if (header->vertexCount == 0)
         return fail(ErrorCode::NoVertices);
     if (header->format == PlyHeader::Format::Text)
-        return ElementReader(TextValues(cursor), *header, mesh).readAll(progress);
+        return ElementReader(TextValues(cursor, precise != nullptr), *header, mesh, precise).readAll(progress);
     const bool isBigEndian = header->format == PlyHeader::Format::BigEndian;
-    return ElementReader(BinaryValues(bytes, cursor.offset(), isBigEndian), *header, mesh).readAll(progress);
+    return ElementReader(BinaryValues(bytes, cursor.offset(), isBigEndian), *header, mesh, precise).readAll(progress);
 }
 
 } // namespace model::io

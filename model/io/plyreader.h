@@ -3,6 +3,7 @@
 
 #include "model/base/error.h"
 #include "model/base/progress.h"
+#include "model/geometry/vec3d.h"
 #include "model/mesh/trianglemesh.h"
 
 #include <string_view>
@@ -16,6 +17,8 @@ namespace model::io {
 ///        properties above), DuplicateChunk (an element twice), BadValue, Truncated, TrailingBytes (binary), NonFinite,
 ///        IndexOutOfRange, each with its line (header and text) or byte (binary); NoVertices; Cancelled
 /// Format: Turk, "The PLY Polygon File Format", 1994, with the type names of later writers (int8 ... float64).
-Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress &progress = Progress());
+/// \param precise  where not null: gets the positions in double
+Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress &progress = Progress(),
+                      std::vector<Vec3d> *precise = nullptr);
 
 } // namespace model::io

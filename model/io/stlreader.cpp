@@ -4,6 +4,7 @@
 #include "model/io/textcursor.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace model::io {
@@ -76,9 +77,10 @@ Result<void> parseBinary(std::string_view bytes, std::vector<Vec3f> &corners, co
 class TextParser
 {
 public:
-    TextParser(std::string_view text, std::vector<Vec3f> &corners)
+    TextParser(std::string_view text, std::vector<Vec3f> &corners, std::vector<Vec3d> *precise)
         : mCursor(text)
         , mCorners(corners)
+        , mPrecise(precise)
     {}
 
     Result<void> parse(const Progress &progress)
@@ -134,14 +136,21 @@ private:
         if (auto done = word("vertex", QT_TRANSLATE_NOOP("ErrorText", "\"vertex\"")); !done)
             return done;
         Vec3f p;
-        for (float *const c : {&p.x, &p.y, &p.z}) {
+        Vec3d wide;
+        for (int i = 0; i < 3; ++i) {
             mCursor.skipSpaceAndComments();
-            if (!mCursor.number(*c))
+            float &c = *std::array{&p.x, &p.y, &p.z}[i];
+            double &w = *std::array{&wide.x, &wide.y, &wide.z}[i];
+            if (!(mPrecise ? mCursor.number(w) : mCursor.number(c)))
                 return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a coordinate"));
+            if (mPrecise)
+                c = float(w);
         }
         if (!isFinite(p))
             return failAtLine(mCursor.line(), ErrorCode::NonFinite, "triangle " + std::to_string(mCorners.size() / 3));
         mCorners.push_back(p);
+        if (mPrecise)
+            mPrecise->push_back(wide);
         return {};
     }
 
@@ -156,49 +165,76 @@ private:
 
     TextCursor mCursor;
     std::vector<Vec3f> &mCorners;
+    std::vector<Vec3d> *const mPrecise;
 };
 
-std::uint64_t hashOf(Vec3f p)
+std::uint64_t bitsOf(float value)
 {
     // Minus zero equals zero, so they must have the same hash: adding zero makes them the same.
-    const std::uint64_t x = std::bit_cast<std::uint32_t>(p.x + 0.0f), y = std::bit_cast<std::uint32_t>(p.y + 0.0f),
-                        z = std::bit_cast<std::uint32_t>(p.z + 0.0f);
-    std::uint64_t hash = (x << 32 | y) * 0x9E3779B97F4A7C15;
-    hash = (hash ^ hash >> 32 ^ z) * 0xD6E8FEB86659FD93;
+    return std::bit_cast<std::uint32_t>(value + 0.0f);
+}
+std::uint64_t bitsOf(double value)
+{
+    return std::bit_cast<std::uint64_t>(value + 0.0);
+}
+
+template <class Point>
+std::uint64_t hashOf(Point p)
+{
+    std::uint64_t hash = (bitsOf(p.x) << 32 ^ bitsOf(p.x) >> 32 ^ bitsOf(p.y)) * 0x9E3779B97F4A7C15;
+    hash = (hash ^ hash >> 32 ^ bitsOf(p.z)) * 0xD6E8FEB86659FD93;
     return hash ^ hash >> 32;
+}
+
+/// \param positions, connectivity  empty; written
+template <class Point>
+void weld(std::span<const Point> corners, std::vector<Point> &positions, Connectivity &connectivity)
+{
+    // Open addressing, at most half full. A slot holds a vertex plus one.
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * corners.size() + 1), 0);
+    const std::size_t mask = table.size() - 1;
+    connectivity.triangles.resize(corners.size() / 3);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        std::size_t slot = std::size_t(hashOf(corners[i])) & mask;
+        while (table[slot] && positions[table[slot] - 1] != corners[i])
+            slot = (slot + 1) & mask;
+        if (!table[slot]) {
+            positions.push_back(corners[i]);
+            table[slot] = std::uint32_t(positions.size());
+        }
+        connectivity.triangles[i / 3][i % 3] = table[slot] - 1;
+    }
+    connectivity.vertexCount = std::uint32_t(positions.size());
 }
 
 } // namespace
 
-Result<void> parseStl(std::string_view bytes, std::vector<Vec3f> &corners, const Progress &progress)
+Result<void> parseStl(std::string_view bytes, std::vector<Vec3f> &corners, const Progress &progress,
+                      std::vector<Vec3d> *precise)
 {
     corners.clear();
+    const bool isInText = isText(bytes);
     Result<void> parsed =
-        isText(bytes) ? TextParser(bytes, corners).parse(progress) : parseBinary(bytes, corners, progress);
+        isInText ? TextParser(bytes, corners, precise).parse(progress) : parseBinary(bytes, corners, progress);
     if (parsed && corners.empty())
         return fail(ErrorCode::NoVertices);
+    if (parsed && precise && !isInText) // which has 32 bits for each
+        precise->assign(corners.begin(), corners.end());
     return parsed;
 }
 
 TriangleMesh weldCorners(std::span<const Vec3f> corners)
 {
-    // Open addressing, at most half full. A slot holds a vertex plus one.
-    std::vector<std::uint32_t> table(std::bit_ceil(2 * corners.size() + 1), 0);
-    const std::size_t mask = table.size() - 1;
     TriangleMesh mesh;
-    mesh.connectivity.triangles.resize(corners.size() / 3);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        std::size_t slot = std::size_t(hashOf(corners[i])) & mask;
-        while (table[slot] && mesh.positions[table[slot] - 1] != corners[i])
-            slot = (slot + 1) & mask;
-        if (!table[slot]) {
-            mesh.positions.push_back(corners[i]);
-            table[slot] = std::uint32_t(mesh.positions.size());
-        }
-        mesh.connectivity.triangles[i / 3][i % 3] = table[slot] - 1;
-    }
-    mesh.connectivity.vertexCount = std::uint32_t(mesh.positions.size());
+    weld(corners, mesh.positions, mesh.connectivity);
     return mesh;
+}
+
+std::vector<Vec3d> weldCorners(std::span<const Vec3d> corners, Connectivity &connectivity)
+{
+    std::vector<Vec3d> positions;
+    weld(corners, positions, connectivity);
+    return positions;
 }
 
 std::size_t gatherVertices(std::span<const Vec3f> corners, std::span<const Triangle> triangles,

@@ -94,6 +94,17 @@ public:
         mPosition = after;
         return true;
     }
+    /// The same numbers, to the nearest double.
+    bool number(double &value)
+    {
+        const char *const first = peek() == '+' ? mPosition + 1 : mPosition;
+        float narrow = 0;
+        if (!number(narrow))
+            return false;
+        if (std::from_chars(first, mPosition, value).ec != std::errc())
+            value = double(narrow); // too large or too small for a double, too
+        return true;
+    }
     /// An integer with an optional sign; what follows it is the caller's to check. False (and unmoved) unless it fits.
     bool integer(std::int64_t &value)
     {

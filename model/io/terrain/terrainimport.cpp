@@ -94,18 +94,14 @@ Result<ImportedTerrain> fromPoints(std::vector<Point3> points, const TerrainImpo
     return imported;
 }
 
-Result<ImportedTerrain> fromMesh(const TriangleMesh &mesh, const TerrainImportOptions &options,
-                                 const Progress &progress)
+Result<ImportedTerrain> fromMesh(const PreciseMesh &mesh, const TerrainImportOptions &options, const Progress &progress)
 {
-    if (mesh.connectivity.triangles.empty()) {
-        std::vector<Point3> points;
-        for (const Vec3f &p : mesh.positions)
-            points.push_back(options.up == UpAxis::Z ? Point3{p.x, p.y, p.z} : Point3{p.x, -double(p.z), p.y});
-        return fromPoints(std::move(points), options, progress);
-    }
     std::vector<Point3> positions;
-    for (const Vec3f &p : mesh.positions)
-        positions.push_back(options.up == UpAxis::Z ? Point3{p.x, p.y, p.z} : Point3{p.x, -double(p.z), p.y});
+    positions.reserve(mesh.positions.size());
+    for (const Vec3d &p : mesh.positions)
+        positions.push_back(options.up == UpAxis::Z ? Point3{p.x, p.y, p.z} : Point3{p.x, -p.z, p.y});
+    if (mesh.connectivity.triangles.empty())
+        return fromPoints(std::move(positions), options, progress);
     const Point2 origin = originOf(boundsOf(positions));
     for (Point3 &p : positions) {
         p.x -= origin.x;
@@ -156,7 +152,7 @@ Result<ImportedTerrain> import(const QString &path, const TerrainImportOptions &
             return fail(points.error());
         return fromPoints(std::move(*points), options, progress);
     }
-    const Result<TriangleMesh> mesh = parseMesh(*kind, *bytes, progress.part(0.1, 0.2));
+    const Result<PreciseMesh> mesh = parsePreciseMesh(*kind, *bytes, progress.part(0.1, 0.2));
     if (!mesh)
         return fail(mesh.error());
     return fromMesh(*mesh, options, progress);

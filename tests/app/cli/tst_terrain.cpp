@@ -194,8 +194,7 @@ void TestTerrain::realModelEndToEnd_data()
 /// A real elevation model through everything, checked at every step.
 void TestTerrain::realModelEndToEnd()
 {
-    if (tests::dataFolder().isEmpty())
-        QSKIP("SANDREEL_DATA is not set");
+    SANDREEL_REQUIRE_DATA();
     QFETCH(const QString, name);
     QFETCH(const double, maxError);
     const QString source = tests::dataFolder() + "/terrain/" + name, terrain = path("real.terrain");

@@ -47,6 +47,15 @@ Differences differences(const ImportedTerrain &imported, const HeightGrid &grid)
     return result;
 }
 
+/// In UTM metres, with centimetres that no float has there; counter-clockwise.
+std::vector<Point3> farSquare()
+{
+    return {{500000.01, 5500000.02, 312.11},
+            {500009.87, 5500000.13, 313.07},
+            {500010.23, 5500009.94, 314.9},
+            {500000.36, 5500010.41, 312.43}};
+}
+
 } // namespace
 
 class TestTerrainImport final : public QObject
@@ -261,6 +270,72 @@ private slots:
             ErrorCode::UnknownFormat);
     }
 
+    /// Offsets of millions of metres leave a float half a metre; files that have more digits keep their centimetres.
+    void meshesKeepCentimetres_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("content");
+        QByteArray obj, stl = "solid ground\n", text = "ply\nformat ascii 1.0\n",
+                        binary = "ply\nformat binary_little_endian 1.0\n", cloud;
+        for (QByteArray *const ply : {&text, &binary})
+            *ply += "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+                    "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+        for (const Point3 &p : farSquare()) {
+            const QByteArray line = QByteArray::number(p.x, 'f', 2) + ' ' + QByteArray::number(p.y, 'f', 2) + ' ' +
+                                    QByteArray::number(p.z, 'f', 2) + '\n';
+            obj += "v " + line;
+            text += line;
+            for (const double value : {p.x, p.y, p.z})
+                binary.append(reinterpret_cast<const char *>(&value), 8);
+        }
+        cloud = obj;
+        for (const auto &[a, b, c] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+            obj += QStringLiteral("f %1 %2 %3\n").arg(a + 1).arg(b + 1).arg(c + 1).toLatin1();
+            text += QStringLiteral("3 %1 %2 %3\n").arg(a).arg(b).arg(c).toLatin1();
+            binary.append(char(3));
+            stl += "facet normal 0 0 1\nouter loop\n";
+            for (const int corner : {a, b, c}) {
+                binary.append(reinterpret_cast<const char *>(&corner), 4);
+                const Point3 p = farSquare()[std::size_t(corner)];
+                stl += "vertex " + QByteArray::number(p.x, 'f', 2) + ' ' + QByteArray::number(p.y, 'f', 2) + ' ' +
+                       QByteArray::number(p.z, 'f', 2) + '\n';
+            }
+            stl += "endloop\nendfacet\n";
+        }
+        stl += "endsolid ground\n";
+        QTest::newRow("OBJ") << "far.obj" << obj;
+        QTest::newRow("points in OBJ") << "cloud.obj" << cloud;
+        QTest::newRow("PLY in text") << "text.ply" << text;
+        QTest::newRow("PLY in binary") << "binary.ply" << binary;
+        QTest::newRow("STL in text") << "far.stl" << stl;
+    }
+    void meshesKeepCentimetres()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, content);
+        const QTemporaryDir folder;
+        tests::writeFile(folder.filePath(name), content);
+        TerrainImportOptions options;
+        options.maxError = 0;
+        const auto imported = importTerrain(folder.filePath(name), options);
+        QVERIFY(imported.has_value());
+        const Terrain &terrain = imported->terrain;
+        QVERIFY(validate(terrain));
+        for (const Point3 &p : farSquare()) {
+            const Point2 local{p.x - terrain.geoReference.originX, p.y - terrain.geoReference.originY};
+            double nearest = 1e9, height = 0;
+            for (VertexId v = 0; v < terrain.tin.arrays().vertexSlots(); ++v) {
+                const Point2 q = terrain.tin.arrays().points[v];
+                if (const double distance = std::hypot(q.x - local.x, q.y - local.y); distance < nearest) {
+                    nearest = distance;
+                    height = terrain.tin.arrays().heights[v];
+                }
+            }
+            QVERIFY2(nearest < 2e-3, qPrintable(QString::number(nearest)));
+            QVERIFY(std::abs(height - p.z) < 1e-9);
+        }
+    }
+
     void realModels_data()
     {
         QTest::addColumn<QString>("name");
@@ -278,8 +353,7 @@ private slots:
     }
     void realModels()
     {
-        if (tests::dataFolder().isEmpty())
-            QSKIP("SANDREEL_DATA is not set");
+        SANDREEL_REQUIRE_DATA();
         QFETCH(QString, name);
         QFETCH(double, maxError);
         QFETCH(double, noData);
