@@ -80,7 +80,7 @@ constexpr Spec Specs[] = {
      QT_TRANSLATE_NOOP("Actions", "Move and scale the animation into the unit cube"), false, Animation},
     {ActionId::Rename, "edit.rename", Edit, QT_TRANSLATE_NOOP("Actions", "Re&name…"), "rename", "F2",
      QT_TRANSLATE_NOOP("Actions", "Give the animation another name"), false, Animation},
-    {ActionId::Sculpt, "edit.sculpt", Edit, QT_TRANSLATE_NOOP("Actions", "Scu&lpt"), "sculpt", "B",
+    {ActionId::Sculpt, "edit.sculpt", Edit, QT_TRANSLATE_NOOP("Actions", "Scu&lpt"), "sculpt", "D",
      QT_TRANSLATE_NOOP("Actions", "The left button draws with the tool; else it turns the picture"), true, Terrain},
 
     {ActionId::Shaded, "view.shaded", View, QT_TRANSLATE_NOOP("Actions", "&Shaded"), "shaded", "1",

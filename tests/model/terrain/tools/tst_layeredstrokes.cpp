@@ -53,6 +53,16 @@ double bedrockVolume(const TinArrays &tin)
     return sum.value();
 }
 
+/// Those of a bare surface, and what wets a layer.
+std::vector<Tool> everyToolForLayers(double radius)
+{
+    std::vector<Tool> tools = everyTool(radius);
+    Moisten moisten;
+    moisten.brush.radius = radius;
+    tools.push_back(moisten);
+    return tools;
+}
+
 } // namespace
 
 class TestLayeredStrokes final : public QObject
@@ -64,7 +74,7 @@ private slots:
     {
         QTest::addColumn<int>("index");
         QTest::addColumn<bool>("isDeep");
-        const std::vector<Tool> tools = everyTool(0.1);
+        const std::vector<Tool> tools = everyToolForLayers(0.1);
         QCOMPARE(tools.size(), std::variant_size_v<Tool>);
         for (int i = 0; i < int(tools.size()); ++i)
             for (const bool isDeep : {false, true})
@@ -76,7 +86,7 @@ private slots:
     {
         QFETCH(int, index);
         QFETCH(bool, isDeep);
-        const Tool tool = everyTool(0.1)[std::size_t(index)];
+        const Tool tool = everyToolForLayers(0.1)[std::size_t(index)];
         Terrain terrain =
             isDeep ? layered(3000, {0.5, 0.5, 0.5}, false, 0.1) : layered(3000, {0.02, 0.03, 0.01}, false, 0.1);
         Tin &tin = terrain.tin;
