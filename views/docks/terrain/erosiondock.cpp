@@ -245,13 +245,18 @@ void ErosionDock::showState()
 
 void ErosionDock::showFigures()
 {
-    const FlowFigures figures = mFlow ? mFlow->figures() : FlowFigures();
     const QString none = QStringLiteral("–");
-    mValues[0]->setText(mFlow ? countText(figures.activeTriangles) : none);
-    mValues[1]->setText(mFlow ? tr("%1 m³/s").arg(significantText(figures.movedPerSecond)) : none);
-    mValues[2]->setText(mFlow ? tr("%1 m³").arg(significantText(figures.movedVolume)) : none);
+    if (!mFlow) {
+        for (QLabel *value : mValues)
+            value->setText(none);
+        return;
+    }
+    const FlowFigures &figures = mFlow->figures();
+    mValues[0]->setText(countText(figures.activeTriangles));
+    mValues[1]->setText(tr("%1 m³/s").arg(significantText(figures.movedPerSecond)));
+    mValues[2]->setText(tr("%1 m³").arg(significantText(figures.movedVolume)));
     mValues[3]->setText(figures.steepest ? tr("%1°").arg(numberText(*figures.steepest, 2)) : none);
-    mValues[4]->setText(mFlow ? significantText(figures.drift) : none);
+    mValues[4]->setText(significantText(figures.drift));
 }
 
 } // namespace views
