@@ -5,6 +5,7 @@
 #include "model/terrain/tools/stroke.h"
 
 #include <QTest>
+#include <algorithm>
 
 #include <cmath>
 #include <random>
@@ -80,6 +81,26 @@ inline std::vector<Tool> everyTool(double radius)
             Pour{brush, 0.001},
             Scoop{brush, 0.05},
             Breakline{radius, {}, Crossing::Split}};
+}
+
+/// `path` with `count` points between each two, at random places on the line.
+inline std::vector<PathPoint> oversampled(const std::vector<PathPoint> &path, int count, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::vector<PathPoint> more{path[0]};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        std::vector<double> places{1};
+        for (int k = 0; k < count; ++k)
+            places.push_back(double(random()) / 4294967296.0);
+        std::sort(places.begin(), places.end());
+        const PathPoint &a = path[i - 1], &b = path[i];
+        for (const double t : places)
+            more.push_back({{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)},
+                            a.pressure + t * (b.pressure - a.pressure),
+                            a.speed + t * (b.speed - a.speed)});
+        more.back() = b;
+    }
+    return more;
 }
 
 } // namespace tests

@@ -14,26 +14,6 @@ namespace {
 const std::vector<PathPoint> Bent{
     {{0.2, 0.25}, 0.5, 0}, {{0.75, 0.3}, 1, 2}, {{0.5, 0.7}, 0.75, 1}, {{0.1, 0.7}, 1, 0}};
 
-/// `path` with points at random places on its lines.
-std::vector<PathPoint> oversampled(const std::vector<PathPoint> &path, int count, unsigned seed)
-{
-    std::mt19937 random(seed);
-    std::vector<PathPoint> more{path[0]};
-    for (std::size_t i = 1; i < path.size(); ++i) {
-        std::vector<double> places{1};
-        for (int k = 0; k < count; ++k)
-            places.push_back(double(random()) / 4294967296.0);
-        std::sort(places.begin(), places.end());
-        const PathPoint &a = path[i - 1], &b = path[i];
-        for (const double t : places)
-            more.push_back({{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)},
-                            a.pressure + t * (b.pressure - a.pressure),
-                            a.speed + t * (b.speed - a.speed)});
-        more.back() = b;
-    }
-    return more;
-}
-
 struct Drawn
 {
     std::vector<Edit> edits;
@@ -165,7 +145,7 @@ private slots:
         for (const int count : {0, 60})
             for (const std::size_t most : {std::size_t(1), std::size_t(7)}) {
                 Tin tin = start;
-                stroke.path = oversampled(Bent, count, unsigned(count));
+                stroke.path = tests::oversampled(Bent, count, unsigned(count));
                 Drawn live = drawLive(tin, stroke, most);
                 QCOMPARE(tin.fingerprint(), wanted);
                 QCOMPARE(live.report.stamps, drawn->report.stamps);

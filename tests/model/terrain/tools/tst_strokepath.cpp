@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/tools/strokepath.h"
+#include "tests/model/terrain/tools/strokes.h"
 #include "tests/support/testmain.h"
 
 #include <QTest>
@@ -15,26 +16,6 @@ using namespace model::terrain;
 namespace {
 
 const std::vector<PathPoint> Bent{{{0.1, 0.1}, 0.25, 0}, {{0.7, 0.3}, 1, 2}, {{0.4, 0.9}, 0.5, 1}};
-
-/// `path` with `count` points between each two, at random places on the line.
-std::vector<PathPoint> oversampled(const std::vector<PathPoint> &path, int count, unsigned seed)
-{
-    std::mt19937 random(seed);
-    std::vector<PathPoint> more{path[0]};
-    for (std::size_t i = 1; i < path.size(); ++i) {
-        std::vector<double> places{1};
-        for (int k = 0; k < count; ++k)
-            places.push_back(double(random()) / 4294967296.0);
-        std::sort(places.begin(), places.end());
-        const PathPoint &a = path[i - 1], &b = path[i];
-        for (const double t : places)
-            more.push_back({{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)},
-                            a.pressure + t * (b.pressure - a.pressure),
-                            a.speed + t * (b.speed - a.speed)});
-        more.back() = b;
-    }
-    return more;
-}
 
 } // namespace
 
@@ -63,7 +44,7 @@ private slots:
     {
         const auto few = resample(Bent, 0.0123);
         for (const int count : {1, 7, 500}) {
-            const auto many = resample(oversampled(Bent, count, unsigned(count)), 0.0123);
+            const auto many = resample(tests::oversampled(Bent, count, unsigned(count)), 0.0123);
             QVERIFY(few && many);
             QCOMPARE(many->size(), few->size());
             for (std::size_t k = 0; k < few->size(); ++k) {
