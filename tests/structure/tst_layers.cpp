@@ -102,7 +102,8 @@ private slots:
                                                           {"ogr_", "model/io/terrain/gdalraster.cpp"},
                                                           {"cpl_", "model/io/terrain/gdalraster.cpp"},
                                                           {"zip.h", "model/io/terrain/zipfile.cpp"},
-                                                          {"CGAL/", "model/terrain/tin/exactpredicates.cpp"}};
+                                                          {"CGAL/", "model/terrain/tin/exactpredicates.cpp"},
+                                                          {"vtk", "views/inspect/"}};
         QStringList broken;
         for (const QString &top : productFolders())
             for (const QString &file : sourcesIn(top))
