@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/commandline.h"
-#include "app/editor/language.h"
-#include "app/editor/mainwindow.h"
-#include "app/editor/starttask.h"
-#include "app/editor/theme.h"
+#include "app/editor/start/commandline.h"
+#include "app/editor/start/language.h"
+#include "app/editor/start/starttask.h"
+#include "app/editor/window/mainwindow.h"
+#include "app/editor/window/theme.h"
 #include "views/viewport/glsupport.h"
 #include "views/widgets/icons.h"
 

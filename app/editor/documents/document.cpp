@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/documents/document.h"
 
-#include "app/editor/samples.h"
+#include "app/editor/start/samples.h"
 
 #include <QFileInfo>
 #include <QUndoStack>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/documents/openterrain.h"
 
-#include "app/editor/samples.h"
+#include "app/editor/start/samples.h"
 #include "views/dialogs/terrainpicture.h"
 
 #include <QFileInfo>

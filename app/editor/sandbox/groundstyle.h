@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/editor/settings.h"
+#include "app/editor/start/settings.h"
 #include "views/terrain/terrainstyle.h"
 
 #include <QObject>

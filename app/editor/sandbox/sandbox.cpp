@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/sandbox/sandbox.h"
 
-#include "app/editor/actions.h"
+#include "app/editor/actions/actions.h"
 #include "app/editor/documents/terraintab.h"
-#include "app/editor/workspace.h"
+#include "app/editor/window/workspace.h"
 #include "views/docks/terrain/erosiondock.h"
 #include "views/docks/terrain/materialdock.h"
 #include "views/docks/terrain/toolsdock.h"

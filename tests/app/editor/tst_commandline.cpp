@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/commandline.h"
+#include "app/editor/start/commandline.h"
 #include "tests/support/testmain.h"
 
 #include <QDir>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/samples.h"
+#include "app/editor/start/samples.h"
 #include "commands/animation/renameanimation.h"
 #include "model/io/animfile.h"
 #include "tests/app/editor/windowdriver.h"

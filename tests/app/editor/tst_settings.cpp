@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/docklayouts.h"
-#include "app/editor/settings.h"
-#include "app/editor/windowstate.h"
+#include "app/editor/start/settings.h"
+#include "app/editor/window/docklayouts.h"
+#include "app/editor/window/windowstate.h"
 #include "tests/support/testmain.h"
 
 #include <QDir>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/shortcutdialog.h"
-#include "app/editor/shortcuts.h"
+#include "app/editor/actions/shortcutdialog.h"
+#include "app/editor/actions/shortcuts.h"
 #include "tests/app/editor/windowdriver.h"
 #include "tests/support/testmain.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/samples.h"
+#include "app/editor/start/samples.h"
 #include "model/io/terrain/newterrain.h"
 #include "tests/app/editor/raiseground.h"
 #include "tests/app/editor/windowdriver.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/editor/windowdriver.h"
 
-#include "app/editor/theme.h"
+#include "app/editor/window/theme.h"
 #include "model/animation/sequence.h"
 #include "model/codec/animationcodec.h"
 #include "model/io/animfile.h"

@@ -3,8 +3,8 @@
 
 #include "app/editor/documents/animationtab.h"
 #include "app/editor/documents/terraintab.h"
-#include "app/editor/language.h"
-#include "app/editor/mainwindow.h"
+#include "app/editor/start/language.h"
+#include "app/editor/window/mainwindow.h"
 #include "model/animation/compressionsettings.h"
 
 #include <QTemporaryDir>
