@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/objreader.h"
 
-#include "model/io/textcursor.h"
-
-#include <array>
+#include "model/io/textpoint.h"
 
 namespace model::io {
 
@@ -57,15 +55,9 @@ private:
         mCursor.advance();
         Vec3f p;
         Vec3d wide;
-        for (int i = 0; i < 3; ++i) {
-            mCursor.skipBlanksAndContinuations();
-            float &c = *std::array{&p.x, &p.y, &p.z}[i];
-            double &w = *std::array{&wide.x, &wide.y, &wide.z}[i];
-            if (!(mPrecise ? mCursor.number(w) : mCursor.number(c)))
-                return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a coordinate"));
-            if (mPrecise)
-                c = float(w);
-        }
+        if (!readPoint(
+                mCursor, [](TextCursor &c) { c.skipBlanksAndContinuations(); }, p, mPrecise ? &wide : nullptr))
+            return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a coordinate"));
         if (!isFinite(p))
             return failAtLine(mCursor.line(), ErrorCode::NonFinite, vertexName(mPositions.size()));
         mPositions.push_back(p);

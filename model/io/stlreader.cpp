@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/stlreader.h"
 
-#include "model/io/textcursor.h"
+#include "model/io/textpoint.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 
 namespace model::io {
@@ -137,15 +136,9 @@ private:
             return done;
         Vec3f p;
         Vec3d wide;
-        for (int i = 0; i < 3; ++i) {
-            mCursor.skipSpaceAndComments();
-            float &c = *std::array{&p.x, &p.y, &p.z}[i];
-            double &w = *std::array{&wide.x, &wide.y, &wide.z}[i];
-            if (!(mPrecise ? mCursor.number(w) : mCursor.number(c)))
-                return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a coordinate"));
-            if (mPrecise)
-                c = float(w);
-        }
+        if (!readPoint(
+                mCursor, [](TextCursor &c) { c.skipSpaceAndComments(); }, p, mPrecise ? &wide : nullptr))
+            return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a coordinate"));
         if (!isFinite(p))
             return failAtLine(mCursor.line(), ErrorCode::NonFinite, "triangle " + std::to_string(mCorners.size() / 3));
         mCorners.push_back(p);

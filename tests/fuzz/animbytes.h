@@ -27,8 +27,4 @@ model::Bytes fileOf(const std::vector<RawChunk> &chunks);
 /// The file with the checksums of all whole chunks mended; everything else as it is.
 model::Bytes withChecksums(std::span<const std::uint8_t> file);
 
-/// For LLVMFuzzerCustomMutator: mostly changes the payload of one chunk and mends the frame around it, sometimes drops,
-/// repeats or swaps chunks, sometimes changes bytes anywhere. \returns the new size
-std::size_t mutateAnim(std::uint8_t *data, std::size_t size, std::size_t maxSize, unsigned seed);
-
 } // namespace tests

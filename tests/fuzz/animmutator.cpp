@@ -21,8 +21,13 @@ void mutatePayload(Bytes &payload, std::size_t maxSize)
 
 } // namespace
 
-std::size_t mutateAnim(std::uint8_t *data, std::size_t size, std::size_t maxSize, unsigned seed)
+} // namespace tests
+
+/// Mostly changes the payload of one chunk and mends the frame around it, sometimes drops, repeats or swaps chunks,
+/// sometimes changes bytes anywhere.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t *data, std::size_t size, std::size_t maxSize, unsigned seed)
 {
+    using namespace tests;
     std::minstd_rand random(seed);
     std::vector<RawChunk> chunks = chunksOf({data, size});
     const unsigned kind = unsigned(random() % 32);
@@ -43,5 +48,3 @@ std::size_t mutateAnim(std::uint8_t *data, std::size_t size, std::size_t maxSize
     std::copy(file.begin(), file.end(), data);
     return file.size();
 }
-
-} // namespace tests

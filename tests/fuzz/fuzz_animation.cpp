@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A whole file of one codec (SANDREEL_FUZZ_CODEC), opened and played.
-#include "model/base/parallel.h"
 #include "model/codec/animationcodec.h"
 #include "model/codec/container/container.h"
 #include "tests/fuzz/animbytes.h"
@@ -24,17 +23,6 @@ void requireFinite(const DecodedAnimation &animation, std::uint32_t frame)
 }
 
 } // namespace
-
-extern "C" int LLVMFuzzerInitialize(int *, char ***)
-{
-    setThreadCount(1); // the same run for the same input
-    return 0;
-}
-
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t *data, std::size_t size, std::size_t maxSize, unsigned seed)
-{
-    return tests::mutateAnim(data, size, maxSize, seed);
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {

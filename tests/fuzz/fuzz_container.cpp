@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chunks and header; the codecs only as far as they refuse.
-#include "model/base/parallel.h"
 #include "model/codec/animationcodec.h"
 #include "model/codec/container/container.h"
 #include "tests/fuzz/animbytes.h"
@@ -49,17 +48,6 @@ void check(const Bytes &file)
 }
 
 } // namespace
-
-extern "C" int LLVMFuzzerInitialize(int *, char ***)
-{
-    setThreadCount(1);
-    return 0;
-}
-
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t *data, std::size_t size, std::size_t maxSize, unsigned seed)
-{
-    return tests::mutateAnim(data, size, maxSize, seed);
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {

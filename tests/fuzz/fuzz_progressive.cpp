@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file that comes in pieces: what is shown on the way, and that the end is what opening it whole gives.
-#include "model/base/parallel.h"
 #include "model/codec/container/progressivereader.h"
 #include "tests/fuzz/animbytes.h"
 #include "tests/fuzz/require.h"
@@ -27,17 +26,6 @@ void checkShown(const DecodedAnimation &shown)
 }
 
 } // namespace
-
-extern "C" int LLVMFuzzerInitialize(int *, char ***)
-{
-    setThreadCount(1);
-    return 0;
-}
-
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t *data, std::size_t size, std::size_t maxSize, unsigned seed)
-{
-    return tests::mutateAnim(data, size, maxSize, seed);
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {

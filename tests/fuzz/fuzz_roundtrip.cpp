@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any small animation through each codec: opens again, in the same order as the permutation says, the same bytes twice.
 // Input: codec, vertices, frames, settings, triangles and positions, a byte or two each.
-#include "model/base/parallel.h"
 #include "model/codec/animationcodec.h"
 #include "tests/fuzz/bytesource.h"
 #include "tests/fuzz/require.h"
@@ -46,12 +45,6 @@ std::vector<Triangle> canonical(const std::vector<Triangle> &triangles, const st
 }
 
 } // namespace
-
-extern "C" int LLVMFuzzerInitialize(int *, char ***)
-{
-    setThreadCount(1);
-    return 0;
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {

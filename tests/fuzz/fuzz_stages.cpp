@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The other stages, each without the file around it: streams that are anything, and any integers there and back.
 // Input: a byte that says which stage, one that says whether a stream follows or integers, a byte of columns, those.
-#include "model/base/parallel.h"
 #include "model/codec/coddyac/lanestage.h"
 #include "model/codec/coddyac/parallelogramstage.h"
 #include "model/codec/direct/framecoder.h"
@@ -237,12 +236,6 @@ void reel(tests::ByteSource &in, bool isStream, std::uint32_t columns)
 }
 
 } // namespace
-
-extern "C" int LLVMFuzzerInitialize(int *, char ***)
-{
-    setThreadCount(1);
-    return 0;
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {

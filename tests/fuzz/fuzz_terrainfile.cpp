@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The container, and its surface alone: the input is taken as a whole `.terrain` file, as the bytes of
 // `terrain/surface`, and as the tail of a recovery journal.
-#include "model/base/parallel.h"
 #include "model/io/terrain/recovery.h"
 #include "model/io/terrain/terrainfile.h"
 #include "model/io/terrain/tilecodec.h"
@@ -75,12 +74,6 @@ void checkJournal(std::span<const std::uint8_t> bytes)
 }
 
 } // namespace
-
-extern "C" int LLVMFuzzerInitialize(int *, char ***)
-{
-    setThreadCount(1);
-    return 0;
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {

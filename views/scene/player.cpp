@@ -76,14 +76,18 @@ void Player::update(Change change)
 {
     const model::Playback before = mPlayback;
     change();
-    const bool moved = mPlayback.frame() != before.frame();
-    if (moved)
+    if (mPlayback.frame() != before.frame())
         mAheadUse = Ahead::Drop;
     if (mPlayback.isPlaying() && !before.isPlaying())
         mClock.start();
     requestFrame();
     scheduleTick();
-    if (moved)
+    announce(before);
+}
+
+void Player::announce(const model::Playback &before)
+{
+    if (mPlayback.frame() != before.frame())
         emit frameChanged(mPlayback.frame());
     if (!isSameState(mPlayback, before))
         emit stateChanged();
@@ -200,17 +204,13 @@ void Player::tick()
     const model::Playback before = mPlayback;
     mPlayback.advance(double(mClock.nsecsElapsed()) * 1e-9);
     mClock.start();
-    const bool moved = mPlayback.frame() != before.frame();
-    if (moved) {
+    if (mPlayback.frame() != before.frame()) {
         mAwaitingShown = true;
         noteOvertaking(before);
         requestFrame();
     }
     scheduleTick();
-    if (moved)
-        emit frameChanged(mPlayback.frame());
-    if (!isSameState(mPlayback, before))
-        emit stateChanged();
+    announce(before);
 }
 
 void Player::scheduleTick()

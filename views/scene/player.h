@@ -80,6 +80,8 @@ private:
     /// Runs `change` on the playback and tells of what became different.
     template <class Change>
     void update(Change change);
+    /// Emits what differs from `before`.
+    void announce(const model::Playback &before);
 
     /// `data` is what is to be drawn for the frame.
     bool isFor(const FrameDataPtr &data, std::uint32_t frame) const;

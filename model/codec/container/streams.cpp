@@ -3,6 +3,7 @@
 
 #include "model/base/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 
 namespace model::codec {
@@ -13,6 +14,23 @@ void writeStreams(ByteWriter &out, std::span<const Bytes> streams)
         out.varUint(stream.size());
     for (const Bytes &stream : streams)
         out.bytes(stream);
+}
+
+Result<std::vector<Bytes>> encodeStreams(std::uint64_t total, std::uint64_t perStream, const Progress &progress,
+                                         const std::function<Bytes(std::size_t, std::size_t)> &encode)
+{
+    std::vector<Bytes> streams(std::size_t(streamCount(total, perStream)));
+    std::atomic<std::size_t> done = 0;
+    parallelFor(streams.size(), [&](std::size_t i) {
+        if (progress.isCancelled())
+            return;
+        const std::uint64_t begin = i * perStream;
+        streams[i] = encode(std::size_t(begin), std::size_t(std::min(perStream, total - begin)));
+        progress.report(double(++done) / double(streams.size()));
+    });
+    if (progress.isCancelled())
+        return fail(ErrorCode::Cancelled);
+    return streams;
 }
 
 std::vector<StreamView> readStreams(ByteReader &in, std::uint64_t count)

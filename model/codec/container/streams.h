@@ -34,4 +34,10 @@ inline std::uint64_t streamCount(std::uint64_t total, std::uint64_t perStream)
     return (total + perStream - 1) / perStream;
 }
 
+/// Encodes ranges of `perStream` out of `total` items on several threads.
+/// \param encode  encodes the items [begin, begin + count); returns anything once the work is cancelled
+/// \error Cancelled
+Result<std::vector<Bytes>> encodeStreams(std::uint64_t total, std::uint64_t perStream, const Progress &progress,
+                                         const std::function<Bytes(std::size_t begin, std::size_t count)> &encode);
+
 } // namespace model::codec

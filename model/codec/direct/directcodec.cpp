@@ -8,7 +8,6 @@
 // frame.
 #include "model/codec/direct/directcodec.h"
 
-#include "model/base/parallel.h"
 #include "model/codec/container/memorylimit.h"
 #include "model/codec/container/streams.h"
 #include "model/codec/container/syntax.h"
@@ -16,7 +15,6 @@
 #include "model/codec/entropy/indexstage.h"
 #include "model/codec/framestack.h"
 
-#include <atomic>
 #include <limits>
 #include <numeric>
 
@@ -106,22 +104,12 @@ Result<std::vector<Bytes>> DirectEncoder::encodeGroups(const DirectSettings &set
     const FrameShape shape{settings.resolution, settings.predictor, settings.entropy};
     const MeshWalk &walk = walkFor(settings.predictor);
     const std::vector<Cell> first = std::move(quantised(mFrames, grid, 0, 1).front());
-    std::vector<Bytes> groups(std::size_t(streamCount(mFrames.frameCount(), FramesPerGroup)));
-    std::atomic<std::size_t> done = 0;
-    parallelFor(groups.size(), [&](std::size_t i) {
-        if (progress.isCancelled())
-            return;
-        const std::size_t begin = i * FramesPerGroup;
-        const auto cells =
-            quantised(mFrames, grid, begin, std::min<std::size_t>(begin + FramesPerGroup, mFrames.frameCount()));
+    return encodeStreams(mFrames.frameCount(), FramesPerGroup, progress, [&](std::size_t begin, std::size_t count) {
+        const auto cells = quantised(mFrames, grid, begin, begin + count);
         const std::vector<std::span<const Cell>> views(cells.begin(), cells.end());
-        groups[i] =
-            encodeFrames(shape, walk, i > 0 ? std::span<const Cell>(first) : std::span<const Cell>(), views, progress);
-        progress.report(double(++done) / double(groups.size()));
+        const auto before = begin > 0 ? std::span<const Cell>(first) : std::span<const Cell>();
+        return encodeFrames(shape, walk, before, views, progress);
     });
-    if (progress.isCancelled())
-        return fail(ErrorCode::Cancelled);
-    return groups;
 }
 
 Result<EncodedAnimation> DirectEncoder::encode(const DirectSettings &settings, const Progress &progress)

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/entropy/bandstage.h"
 
-#include "model/base/parallel.h"
 #include "model/codec/container/streams.h"
 #include "model/codec/container/syntax.h"
 #include "model/codec/entropy/integercoder.h"
 
-#include <atomic>
 #include <memory>
 
 namespace model::codec {
@@ -119,22 +117,17 @@ Result<Bytes> encodeBands(const Bands &shape, std::span<const std::int32_t> valu
 {
     Parameters parameters;
     parameters.rowsPerStream = std::clamp<std::uint64_t>(ValuesPerStream / shape.columns, 1, 65535);
-    const std::uint64_t perStream = parameters.rowsPerStream * shape.columns;
-    std::vector<Bytes> streams(std::size_t(streamCount(shape.rows, parameters.rowsPerStream)));
-    std::atomic<std::size_t> done = 0;
-    parallelFor(streams.size(), [&](std::size_t i) {
-        const std::size_t begin = i * perStream;
-        const std::size_t count = std::min<std::size_t>(perStream, values.size() - begin);
-        streams[i] = encodeRows(shape, values.subspan(begin, count), progress);
-        progress.report(double(++done) / double(streams.size()));
-    });
-    if (progress.isCancelled())
-        return fail(ErrorCode::Cancelled);
+    const auto streams =
+        encodeStreams(shape.rows, parameters.rowsPerStream, progress, [&](std::size_t begin, std::size_t count) {
+            return encodeRows(shape, values.subspan(begin * shape.columns, count * shape.columns), progress);
+        });
+    if (!streams)
+        return fail(streams.error());
     SyntaxWriter syntax;
     parameterSyntax(syntax, parameters);
     ByteWriter out;
     out.bytes(syntax.take());
-    writeStreams(out, streams);
+    writeStreams(out, *streams);
     return out.take();
 }
 

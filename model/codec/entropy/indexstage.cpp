@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/entropy/indexstage.h"
 
-#include "model/base/parallel.h"
 #include "model/codec/container/streams.h"
 #include "model/codec/container/syntax.h"
 #include "model/codec/entropy/integercoder.h"
 
-#include <atomic>
 #include <memory>
 
 namespace model::codec {
@@ -101,22 +99,17 @@ Result<Bytes> encodeIndices(const Connectivity &connectivity, const Progress &pr
 {
     const Parameters parameters;
     const std::span<const Triangle> triangles = connectivity.triangles;
-    const std::uint64_t perStream = parameters.trianglesPerStream;
-    std::vector<Bytes> streams(std::size_t(streamCount(triangles.size(), perStream)));
-    std::atomic<std::size_t> done = 0;
-    parallelFor(streams.size(), [&](std::size_t i) {
-        const std::size_t begin = i * perStream;
-        const std::size_t count = std::min<std::size_t>(perStream, triangles.size() - begin);
-        streams[i] = encodeTriangles(triangles.subspan(begin, count), progress);
-        progress.report(double(++done) / double(streams.size()));
-    });
-    if (progress.isCancelled())
-        return fail(ErrorCode::Cancelled);
+    const auto streams = encodeStreams(triangles.size(), parameters.trianglesPerStream, progress,
+                                       [&](std::size_t begin, std::size_t count) {
+                                           return encodeTriangles(triangles.subspan(begin, count), progress);
+                                       });
+    if (!streams)
+        return fail(streams.error());
     SyntaxWriter syntax;
     parameterSyntax(syntax, parameters);
     ByteWriter out;
     out.bytes(syntax.take());
-    writeStreams(out, streams);
+    writeStreams(out, *streams);
     return out.take();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/animation/editedframes.h"
 #include "tests/support/meshes.h"
+#include "tests/support/rows.h"
 #include "tests/support/testmain.h"
 
 #include <cmath>
@@ -26,16 +27,11 @@ class TestEditedFrames final : public QObject
     }
 
 private slots:
-    void everyFrameAsBruteForceSays_data()
-    {
-        QTest::addColumn<int>("animation");
-        for (std::size_t i = 0; i < tests::namedAnimations().size(); ++i)
-            QTest::newRow(tests::namedAnimations()[i].name.c_str()) << int(i);
-    }
+    void everyFrameAsBruteForceSays_data() { tests::addRows(tests::namedAnimations()); }
     void everyFrameAsBruteForceSays()
     {
-        QFETCH(int, animation);
-        const tests::SequencePtr sequence = tests::namedAnimations()[std::size_t(animation)].sequence;
+        QFETCH(int, row);
+        const tests::SequencePtr sequence = tests::namedAnimations()[std::size_t(row)].sequence;
         const double last = sequence->frameCount() - 1;
         const TimeMap map({0, last, last / 2, last / 3, last * 0.999, last / 7, 0, last});
         for (const Similarity &placement : {Similarity{}, Similarity{0.25, {-1, 100, 0.125}}}) {

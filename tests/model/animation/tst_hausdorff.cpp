@@ -6,6 +6,7 @@
 #include "model/mesh/surfacesamples.h"
 #include "tests/model/animation/permuted.h"
 #include "tests/support/meshes.h"
+#include "tests/support/rows.h"
 #include "tests/support/testmain.h"
 
 #include <atomic>
@@ -109,16 +110,11 @@ private slots:
         QCOMPARE(compareAnimations(valley, ridge)->maxVertexError, 0.0);
     }
 
-    void asTheSlowReferenceSays_data()
-    {
-        QTest::addColumn<int>("animation");
-        for (std::size_t i = 0; i < tests::namedAnimations().size(); ++i)
-            QTest::newRow(tests::namedAnimations()[i].name.c_str()) << int(i);
-    }
+    void asTheSlowReferenceSays_data() { tests::addRows(tests::namedAnimations()); }
     void asTheSlowReferenceSays()
     {
-        QFETCH(int, animation);
-        const Sequence &reference = *tests::namedAnimations()[std::size_t(animation)].sequence;
+        QFETCH(int, row);
+        const Sequence &reference = *tests::namedAnimations()[std::size_t(row)].sequence;
         const auto test = tests::shaken(reference, 0.2f);
         const tests::Permutation permutation = tests::shuffled(reference.vertexCount(), 3);
         constexpr double Samples = 2;

@@ -2,6 +2,7 @@
 #include "model/animation/normalisation.h"
 #include "model/base/parallel.h"
 #include "tests/support/meshes.h"
+#include "tests/support/rows.h"
 #include "tests/support/testmain.h"
 
 #include <limits>
@@ -58,16 +59,11 @@ private slots:
         QVERIFY(similarity({-huge, 0, 0}) == Vec3f({-1, 0, 0}));
     }
 
-    void everyAnimationFillsTheCube_data()
-    {
-        QTest::addColumn<int>("animation");
-        for (std::size_t i = 0; i < tests::namedAnimations().size(); ++i)
-            QTest::newRow(tests::namedAnimations()[i].name.c_str()) << int(i);
-    }
+    void everyAnimationFillsTheCube_data() { tests::addRows(tests::namedAnimations()); }
     void everyAnimationFillsTheCube()
     {
-        QFETCH(int, animation);
-        const tests::SequencePtr sequence = tests::namedAnimations()[std::size_t(animation)].sequence;
+        QFETCH(int, row);
+        const tests::SequencePtr sequence = tests::namedAnimations()[std::size_t(row)].sequence;
         const auto edited = [&](const Similarity &placement) {
             return EditedFrames(sequence, TimeMap::identity(sequence->frameCount()), placement, 25, "");
         };

@@ -3,6 +3,7 @@
 #include "model/base/parallel.h"
 #include "tests/model/animation/permuted.h"
 #include "tests/support/meshes.h"
+#include "tests/support/rows.h"
 #include "tests/support/testmain.h"
 
 #include <atomic>
@@ -143,16 +144,11 @@ private slots:
         QCOMPARE(result->sted, std::hypot(std::sqrt(0.15) / 2, 9.144e-5 * temporal));
     }
 
-    void asTheSlowReferenceSays_data()
-    {
-        QTest::addColumn<int>("animation");
-        for (std::size_t i = 0; i < tests::namedAnimations().size(); ++i)
-            QTest::newRow(tests::namedAnimations()[i].name.c_str()) << int(i);
-    }
+    void asTheSlowReferenceSays_data() { tests::addRows(tests::namedAnimations()); }
     void asTheSlowReferenceSays()
     {
-        QFETCH(int, animation);
-        const Sequence &reference = *tests::namedAnimations()[std::size_t(animation)].sequence;
+        QFETCH(int, row);
+        const Sequence &reference = *tests::namedAnimations()[std::size_t(row)].sequence;
         compareWithSlowReference(reference, *tests::shaken(reference, 0.05f));
     }
 

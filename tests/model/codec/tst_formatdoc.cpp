@@ -4,6 +4,7 @@
 #include "model/codec/container/container.h"
 #include "tests/model/codec/animations.h"
 #include "tests/model/codec/plain/plaindecoder.h"
+#include "tests/support/rows.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/testmain.h"
 
@@ -157,10 +158,7 @@ private slots:
 
     void plainDecoderAgrees_data()
     {
-        QTest::addColumn<int>("row");
-        const auto table = tests::animationTable();
-        for (std::size_t i = 0; i < table.size(); ++i)
-            QTest::newRow(table[i].name.c_str()) << int(i);
+        tests::addRows(tests::animationTable());
         QTest::newRow("several streams") << -1;
     }
     void plainDecoderAgrees()

@@ -3,6 +3,7 @@
 
 #include "model/animation/framesource.h"
 #include "model/base/error.h"
+#include "tests/support/compareerror.h"
 
 #include <functional>
 #include <string_view>
@@ -71,10 +72,3 @@ void checkEveryPrefix(const QByteArray &bytes,
 void put(const QString &path, const QByteArray &bytes);
 
 } // namespace tests
-
-/// `result` (a Result) failed with `errorCode`.
-#define SANDREEL_COMPARE_ERROR(result, errorCode)                                                                      \
-    do {                                                                                                               \
-        QVERIFY(!(result).has_value());                                                                                \
-        QCOMPARE(int((result).error().code), int(errorCode));                                                          \
-    } while (false)

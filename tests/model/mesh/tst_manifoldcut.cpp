@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/manifoldcut.h"
+#include "tests/support/rows.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/testmain.h"
 
@@ -88,16 +89,11 @@ class TestManifoldCut final : public QObject
     Q_OBJECT
 
 private slots:
-    void everySurface_data()
-    {
-        QTest::addColumn<int>("index");
-        for (std::size_t i = 0; i < namedSurfaces().size(); ++i)
-            QTest::newRow(namedSurfaces()[i].name.c_str()) << int(i);
-    }
+    void everySurface_data() { tests::addRows(namedSurfaces()); }
     void everySurface()
     {
-        QFETCH(int, index);
-        const NamedSurface &named = namedSurfaces()[std::size_t(index)];
+        QFETCH(int, row);
+        const NamedSurface &named = namedSurfaces()[std::size_t(row)];
         QCOMPARE(brokenRules(CornerTable::of(named.mesh)), QStringList());
         const ManifoldCut cut = cutIntoManifold(named.mesh);
         QCOMPARE(brokenManifoldRules(cut.corners), QStringList());

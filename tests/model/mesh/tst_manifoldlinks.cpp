@@ -2,6 +2,7 @@
 #include "model/base/parallel.h"
 #include "model/mesh/edgesides.h"
 #include "model/mesh/manifoldlinks.h"
+#include "tests/support/rows.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/testmain.h"
 
@@ -62,16 +63,11 @@ class TestManifoldLinks final : public QObject
 private slots:
     void cleanup() { setThreadCount(0); }
 
-    void everySurface_data()
-    {
-        QTest::addColumn<int>("index");
-        for (std::size_t i = 0; i < namedSurfaces().size(); ++i)
-            QTest::newRow(namedSurfaces()[i].name.c_str()) << int(i);
-    }
+    void everySurface_data() { tests::addRows(namedSurfaces()); }
     void everySurface()
     {
-        QFETCH(int, index);
-        const Connectivity &mesh = namedSurfaces()[std::size_t(index)].mesh;
+        QFETCH(int, row);
+        const Connectivity &mesh = namedSurfaces()[std::size_t(row)].mesh;
         check(mesh);
     }
 

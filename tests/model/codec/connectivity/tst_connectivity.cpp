@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/base/parallel.h"
 #include "model/codec/connectivity/connectivitystage.h"
+#include "tests/support/rows.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/testmain.h"
 
@@ -105,17 +106,12 @@ class TestConnectivity final : public QObject
     Q_OBJECT
 
 private slots:
-    void everySurface_data()
-    {
-        QTest::addColumn<int>("index");
-        for (std::size_t i = 0; i < namedSurfaces().size(); ++i)
-            QTest::newRow(namedSurfaces()[i].name.c_str()) << int(i);
-    }
+    void everySurface_data() { tests::addRows(namedSurfaces()); }
     void everySurface()
     {
-        QFETCH(int, index);
-        roundTrip(namedSurfaces()[std::size_t(index)].mesh);
-        roundTrip(shuffled(namedSurfaces()[std::size_t(index)].mesh));
+        QFETCH(int, row);
+        roundTrip(namedSurfaces()[std::size_t(row)].mesh);
+        roundTrip(shuffled(namedSurfaces()[std::size_t(row)].mesh));
     }
 
     void randomSoups()

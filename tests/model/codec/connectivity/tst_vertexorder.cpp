@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/codec/connectivity/vertexorder.h"
+#include "tests/support/rows.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/testmain.h"
 
@@ -39,16 +40,11 @@ class TestVertexOrder final : public QObject
     Q_OBJECT
 
 private slots:
-    void everySurface_data()
-    {
-        QTest::addColumn<int>("index");
-        for (std::size_t i = 0; i < namedSurfaces().size(); ++i)
-            QTest::newRow(namedSurfaces()[i].name.c_str()) << int(i);
-    }
+    void everySurface_data() { tests::addRows(namedSurfaces()); }
     void everySurface()
     {
-        QFETCH(int, index);
-        const auto encoded = encodeConnectivity(namedSurfaces()[std::size_t(index)].mesh, Progress());
+        QFETCH(int, row);
+        const auto encoded = encodeConnectivity(namedSurfaces()[std::size_t(row)].mesh, Progress());
         const auto &neighbours = encoded->coded.neighbours;
         std::vector<std::uint32_t> backwards(neighbours.size());
         std::iota(backwards.rbegin(), backwards.rend(), 0u);

@@ -5,6 +5,7 @@
 #include "tests/model/codec/animations.h"
 #include "tests/model/codec/filesurgery.h"
 #include "tests/model/codec/plain/plaindirect.h"
+#include "tests/support/rows.h"
 #include "tests/support/testmain.h"
 
 #include <QFile>
@@ -93,13 +94,7 @@ class TestDirectCodec final : public QObject
     Q_OBJECT
 
 private slots:
-    void errorIsAtMostHalfACellDiagonal_data()
-    {
-        QTest::addColumn<int>("row");
-        const auto table = tests::animationTable();
-        for (std::size_t i = 0; i < table.size(); ++i)
-            QTest::newRow(table[i].name.c_str()) << int(i);
-    }
+    void errorIsAtMostHalfACellDiagonal_data() { tests::addRows(tests::animationTable()); }
     void errorIsAtMostHalfACellDiagonal()
     {
         QFETCH(int, row);

@@ -5,6 +5,7 @@
 #include "model/codec/basis/kernels.h"
 #include "tests/model/codec/animations.h"
 #include "tests/model/codec/filesurgery.h"
+#include "tests/support/rows.h"
 #include "tests/support/testmain.h"
 
 #include <Eigen/Eigenvalues>
@@ -59,13 +60,7 @@ class TestPcaCodec final : public QObject
     Q_OBJECT
 
 private:
-    static void addTable()
-    {
-        QTest::addColumn<int>("row");
-        const auto table = tests::animationTable();
-        for (std::size_t i = 0; i < table.size(); ++i)
-            QTest::newRow(table[i].name.c_str()) << int(i);
-    }
+    static void addTable() { tests::addRows(tests::animationTable()); }
 
 private slots:
     void roundTrip_data() { addTable(); }

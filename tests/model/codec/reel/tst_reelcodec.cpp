@@ -4,6 +4,7 @@
 #include "model/codec/trialencoder.h"
 #include "tests/model/codec/animations.h"
 #include "tests/model/codec/filesurgery.h"
+#include "tests/support/rows.h"
 #include "tests/support/testmain.h"
 
 #include <QFile>
@@ -68,13 +69,7 @@ class TestReelCodec final : public QObject
     Q_OBJECT
 
 private slots:
-    void everyAnimationComesBack_data()
-    {
-        QTest::addColumn<int>("row");
-        const auto table = tests::animationTable();
-        for (std::size_t i = 0; i < table.size(); ++i)
-            QTest::newRow(table[i].name.c_str()) << int(i);
-    }
+    void everyAnimationComesBack_data() { tests::addRows(tests::animationTable()); }
     void everyAnimationComesBack()
     {
         QFETCH(int, row);

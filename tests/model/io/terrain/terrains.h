@@ -3,6 +3,7 @@
 
 #include "model/terrain/terrain.h"
 #include "tests/model/terrain/tin/randomedits.h"
+#include "tests/support/compareerror.h"
 
 #include <QByteArray>
 #include <QString>
@@ -24,10 +25,3 @@ QByteArray readFile(const QString &path);
 void writeFile(const QString &path, const QByteArray &bytes);
 
 } // namespace tests
-
-/// `result` (a Result) failed with `errorCode`.
-#define SANDREEL_COMPARE_ERROR(result, errorCode)                                                                      \
-    do {                                                                                                               \
-        QVERIFY(!(result).has_value());                                                                                \
-        QCOMPARE(int((result).error().code), int(errorCode));                                                          \
-    } while (false)
