@@ -34,6 +34,7 @@ class TestLayers final : public QObject
             {"model/animation", order({"codec", "document", "io", "room", "terrain", "haptics"}, noQt)},
             {"model/codec", order({"document", "io", "room", "terrain", "haptics"}, noQt)},
             {"model/terrain", order({"mesh", "animation", "codec", "document", "io", "room", "haptics"}, noQt)},
+            {"model/haptics", order({"codec", "document", "io", "room"}, noQt)},
             {"model/document", order({"codec", "io", "room"}, above + gui)},
             {"model/io", order({"room"}, above + gui)},
             {"commands", QStringList{"views/", "app/", "tests/", "vtk"} + widgets},
@@ -105,6 +106,7 @@ private slots:
             {"zip.h", "model/io/terrain/zipfile.cpp"},
             {"CGAL/", "model/terrain/tin/exactpredicates.cpp|model/mesh/analysis/trianglepredicates.cpp|"
                       "model/mesh/editing/cgal"},
+            {"hidapi", "model/haptics/hid/hidapisystem.cpp"},
             {"OpenMesh/", "model/mesh/editing/openmesh"},
             {"vtk", "views/inspect/"}};
         const auto isIn = [](const QString &rooms, const QString &file) {
