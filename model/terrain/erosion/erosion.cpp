@@ -19,6 +19,33 @@ namespace {
 /// started.
 constexpr std::size_t SmallestForThreads = 16384;
 
+/// Triangles that have their turn together where the time is short: copied, swept eight times and written back in one
+/// or two milliseconds (sandreel-bench-stroke). Fewer would be a larger share of borders, where sliding stops for a while.
+constexpr std::size_t LotSize = 4096;
+/// In a round of many lots: what copying costs is worth some sweeps, and more would let the lots drift apart.
+constexpr double MostSweepsInTurn = 8;
+/// Vertices that one lot may add by splitting edges.
+constexpr std::uint32_t LargestAdditionInTurn = 256;
+
+bool isSteeper(const TinArrays &tin, TriangleId t, double slope)
+{
+    const Gradient g = gradientOf(tin, t);
+    return g.x * g.x + g.y * g.y > slope * slope;
+}
+
+class Clock
+{
+public:
+    double milliseconds() const
+    {
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - mBegan;
+        return took.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point mBegan = std::chrono::steady_clock::now();
+};
+
 } // namespace
 
 Erosion::Erosion(const ErosionSettings &settings, std::span<const Material> materials)
@@ -51,15 +78,16 @@ Result<void> Erosion::checkLayers(const Tin &tin) const
 void Erosion::activate(std::span<const TriangleId> triangles)
 {
     for (const TriangleId t : triangles)
-        mActive.push_back({t, false});
+        mActive.add({t, false});
 }
 
 void Erosion::activateAll(const Tin &tin)
 {
     mActive.clear();
+    mRoundLeft = 0;
     for (TriangleId t = 0; t < tin.arrays().triangleSlots(); ++t)
         if (tin.arrays().isTriangle(t))
-            mActive.push_back({t, false});
+            mActive.add({t, false});
 }
 
 void Erosion::activate(const Tin &tin, const Edit &edit)
@@ -68,40 +96,53 @@ void Erosion::activate(const Tin &tin, const Edit &edit)
     for (const SlotRange range : edit.dirtyRanges(TinPart::Triangles))
         for (TriangleId t = range.first; t < range.first + range.count; ++t)
             if (arrays.isTriangle(t))
-                mActive.push_back({t, false});
+                mActive.add({t, false});
     for (const TinPart part : {TinPart::Heights, TinPart::Layers})
         for (const SlotRange range : edit.dirtyRanges(part))
             for (VertexId v = range.first; v < range.first + range.count; ++v)
                 if (arrays.isVertex(v))
-                    forEachCornerAround(arrays, v, [&](Corner c) { mActive.push_back({triangleOf(c), false}); });
+                    forEachCornerAround(arrays, v, [&](Corner c) { mActive.add({triangleOf(c), false}); });
 }
 
-/// Sweeps from what is active until it rests or it is enough, and leaves on the list what still slides. Where sliding
-/// comes to long edges, they are split before it goes on.
-void Erosion::slide(TinEdit &edit, std::vector<Active> start, const Manner &manner, const Progress &progress,
-                    ErosionStatistics &statistics)
+const SlopeTable &Erosion::slopesOf(const LayerTable &layers)
+{
+    if (!mSlopes || !(mSlopesOf == layers)) {
+        mSlopes.emplace(layers, mMaterials, mSettings.material);
+        mSlopesOf = layers;
+    }
+    return *mSlopes;
+}
+
+/// Sweeps from `start` until it rests or it is enough, and returns what still slides. Where sliding comes to long
+/// edges, they are split before it goes on.
+std::vector<ActiveTriangle> Erosion::slide(TinEdit &edit, std::vector<ActiveTriangle> start, const Manner &manner,
+                                           const Progress &progress, ErosionStatistics &statistics)
 {
     const Tin &tin = edit.tin();
     const TinArrays &arrays = tin.arrays();
-    const SlopeTable slopes(arrays.totals.layers, mMaterials, mSettings.material);
+    const SlopeTable &slopes = slopesOf(arrays.totals.layers);
+    const double leastSlope = slopes.lowest();
+    const std::uint32_t mostAdded =
+        statistics.addedVertices + std::min(manner.mostAdded, LargestAddition - statistics.addedVertices);
     std::vector<TriangleId> tooLong;
     if (manner.longestEdge > 0)
-        for (const Active &active : start)
+        for (const ActiveTriangle &active : start)
             tooLong.push_back(active.triangle);
     for (bool isDone = false; !isDone;) {
         if (!tooLong.empty())
             for (const TriangleId t :
-                 splitLongEdges(edit, tooLong, manner.longestEdge, LargestAddition, statistics.addedVertices, progress))
+                 splitLongEdges(edit, tooLong, manner.longestEdge, mostAdded, statistics.addedVertices, progress))
                 start.push_back({t, false});
         tooLong.clear();
         Patch patch(tin, slopes, mSettings.material, mIds);
-        if (statistics.addedVertices < LargestAddition)
+        if (statistics.addedVertices < mostAdded)
             patch.watchForLongEdges(manner.longestEdge);
-        for (const Active &active : start) {
+        for (const ActiveTriangle &active : start) {
             if (progress.isCancelled())
-                return;
-            if (arrays.isTriangle(active.triangle))
-                patch.add(active.triangle, active.isMoving);
+                return {};
+            const TriangleId t = active.triangle;
+            if (arrays.isTriangle(t) && (active.isMoving || isSteeper(arrays, t, leastSlope)))
+                patch.add(t, active.isMoving);
         }
         const bool isSmall = manner.isBrief && patch.triangleCount() < SmallestForThreads;
         const auto lead = [&](Team &team) {
@@ -120,7 +161,7 @@ void Erosion::slide(TinEdit &edit, std::vector<Active> start, const Manner &mann
         };
         Team::run(lead, isSmall ? 1 : threadCount());
         if (progress.isCancelled())
-            return;
+            return {};
         statistics.movedVolume += patch.writeBack(edit);
         if (mSettings.flatError > 0)
             mReached.insert(mReached.end(), patch.ids().begin(), patch.ids().end());
@@ -128,7 +169,51 @@ void Erosion::slide(TinEdit &edit, std::vector<Active> start, const Manner &mann
         for (const auto &[triangle, isMoving] : patch.slidingTriangles(manner.rule))
             start.push_back({triangle, isMoving});
     }
-    mActive = std::move(start);
+    return start;
+}
+
+/// All that is on the list at once, each sweep over all of it.
+void Erosion::slideAll(TinEdit &edit, const SweepRule &rule, const ErosionBudget &budget, ErosionStatistics &statistics)
+{
+    const Manner manner{rule, mSettings.longestEdge, true, LargestAddition, [&](const SweepCount &) {
+                            mTimeLeft -= 1;
+                            return mTimeLeft < 1 || statistics.transfers >= budget.transfers;
+                        }};
+    mRoundLeft = 0;
+    for (const ActiveTriangle active : slide(edit, mActive.take(mActive.size()), manner, Progress(), statistics))
+        mActive.add(active);
+}
+
+/// Lot by lot from the head of the list, with what still slides going to its end, as long as another lot fits into the
+/// time.
+void Erosion::slideInTurns(TinEdit &edit, const SweepRule &rule, const ErosionBudget &budget,
+                           ErosionStatistics &statistics)
+{
+    const Clock clock;
+    double longest = 0;
+    const auto isOver = [&] {
+        return statistics.transfers >= budget.transfers || clock.milliseconds() >= budget.milliseconds;
+    };
+    do {
+        mRoundLeft = std::min(mRoundLeft, mActive.size());
+        if (mRoundLeft == 0) {
+            if (mTimeLeft < 1)
+                return;
+            mRoundLeft = mActive.size();
+            const double most = mRoundLeft > LotSize ? MostSweepsInTurn : mTimeLeft;
+            mRoundSweeps = std::floor(std::min(mTimeLeft, most));
+            mTimeLeft -= mRoundSweeps;
+        }
+        const double began = clock.milliseconds();
+        const std::size_t count = std::min(mRoundLeft, LotSize);
+        mRoundLeft -= count;
+        double left = mRoundSweeps;
+        const Manner manner{rule, mSettings.longestEdge, true, LargestAdditionInTurn,
+                            [&](const SweepCount &) { return --left < 1 || isOver(); }};
+        for (const ActiveTriangle active : slide(edit, mActive.take(count), manner, Progress(), statistics))
+            mActive.add(active);
+        longest = std::max(longest, clock.milliseconds() - began);
+    } while (!mActive.isEmpty() && !isOver() && clock.milliseconds() + longest <= budget.milliseconds);
 }
 
 Result<ErosionStatistics> Erosion::run(TinEdit &edit, double seconds, const ErosionBudget &budget)
@@ -137,54 +222,46 @@ Result<ErosionStatistics> Erosion::run(TinEdit &edit, double seconds, const Eros
         return fail(ErrorCode::BadSetting, "seconds", numberText(seconds), "at least 0");
     if (const auto checked = checkLayers(edit.tin()); !checked)
         return fail(checked.error());
-    const auto began = std::chrono::steady_clock::now();
     ErosionStatistics statistics;
     // More time than a sweep a microsecond could use up is as good as for ever.
     mTimeLeft += std::min(seconds * mSettings.sweepsPerSecond, 1e12);
     const SweepRule rule{mSettings.rule, mSettings.relaxation, mSettings.startAngle, RestTolerance / 2};
-    const Manner manner{
-        rule, mSettings.longestEdge, true, [&](const SweepCount &) {
-            const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
-            mTimeLeft -= 1;
-            return mTimeLeft < 1 || statistics.transfers >= budget.transfers || took.count() >= budget.milliseconds;
-        }};
-    if (!mActive.empty() && mTimeLeft >= 1)
-        slide(edit, std::move(mActive), manner, Progress(), statistics);
-    // Time that was not to be had is not caught up with.
-    mTimeLeft = std::fmod(mTimeLeft, 1.0);
-    statistics.isAtRest = mActive.empty();
+    const bool isTimed = budget.milliseconds < std::numeric_limits<double>::infinity();
+    if (!mActive.isEmpty() && (mTimeLeft >= 1 || mRoundLeft > 0))
+        isTimed ? slideInTurns(edit, rule, budget, statistics) : slideAll(edit, rule, budget, statistics);
+    // Time that was not to be had is not caught up with, but for what a round in turns may use.
+    if (!isTimed || mActive.isEmpty() || mTimeLeft > MostSweepsInTurn)
+        mTimeLeft = std::fmod(mTimeLeft, 1.0) + (isTimed && !mActive.isEmpty() ? MostSweepsInTurn : 0);
+    statistics.isAtRest = mActive.isEmpty();
     if (statistics.isAtRest)
         simplify(edit, Progress(), statistics);
     return statistics;
 }
 
 /// All that are steeper than some material stands.
-std::vector<Erosion::Active> Erosion::steepTriangles(const Tin &tin, const Progress &progress) const
+std::vector<ActiveTriangle> Erosion::steepTriangles(const Tin &tin, const Progress &progress)
 {
     const TinArrays &arrays = tin.arrays();
-    const double lowest = SlopeTable(arrays.totals.layers, mMaterials, mSettings.material).lowest();
-    std::vector<Active> steep;
+    const double lowest = slopesOf(arrays.totals.layers).lowest();
+    std::vector<ActiveTriangle> steep;
     for (TriangleId t = 0; t < arrays.triangleSlots(); ++t) {
         if (progress.isCancelled())
             break;
-        if (!arrays.isTriangle(t) || arrays.isVoid(t))
-            continue;
-        const Gradient g = gradientOf(arrays, t);
-        if (g.x * g.x + g.y * g.y > lowest * lowest)
+        if (arrays.isTriangle(t) && !arrays.isVoid(t) && isSteeper(arrays, t, lowest))
             steep.push_back({t, false});
     }
     return steep;
 }
 
 /// The coarse pass over all ground that material from steep ground may reach.
-void Erosion::slideCoarsely(TinEdit &edit, std::span<const Active> steep, const Progress &progress,
+void Erosion::slideCoarsely(TinEdit &edit, std::span<const ActiveTriangle> steep, const Progress &progress,
                             ErosionStatistics &statistics)
 {
     const Tin &tin = edit.tin();
     const TinArrays &arrays = tin.arrays();
-    const SlopeTable slopes(arrays.totals.layers, mMaterials, mSettings.material);
+    const SlopeTable &slopes = slopesOf(arrays.totals.layers);
     Patch patch(tin, slopes, mSettings.material, mIds);
-    for (const Active &active : steep)
+    for (const ActiveTriangle &active : steep)
         patch.add(active.triangle);
     const double slope = patch.uniformSlope();
     if (!(slope > 0))
@@ -241,12 +318,13 @@ Result<ErosionStatistics> Erosion::settle(TinEdit &edit, const Progress &progres
     ErosionStatistics statistics;
     std::uint64_t most = 1;
     if (mSettings.hasCoarsePass && mSettings.rule == ErosionRule::Face)
-        if (const std::vector<Active> steep = steepTriangles(tin, progress); !steep.empty())
+        if (const std::vector<ActiveTriangle> steep = steepTriangles(tin, progress); !steep.empty())
             slideCoarsely(edit, steep, progress, statistics);
     // Again until nothing moves: vertices that were removed left other triangles.
     Manner manner{{mSettings.rule, mSettings.relaxation, RestTolerance, RestTolerance / 2},
                   mSettings.longestEdge,
                   false,
+                  LargestAddition,
                   [&](const SweepCount &count) {
                       most = std::max(most, count.transfers);
                       progress.report(1 - double(count.transfers) / double(most));
@@ -262,6 +340,7 @@ Result<ErosionStatistics> Erosion::settle(TinEdit &edit, const Progress &progres
         mReached.clear();
     }
     mActive.clear();
+    mRoundLeft = 0;
     if (progress.isCancelled())
         return fail(ErrorCode::Cancelled);
     statistics.isAtRest = true;

@@ -2,15 +2,22 @@
 #pragma once
 
 #include "model/base/progress.h"
+#include "model/terrain/erosion/activelist.h"
 #include "model/terrain/erosion/patch.h"
 
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace model::terrain {
 
 /// When a run() ends although material still moves. Transfers and sweeps make the same terrain everywhere; a time does
-/// not.
+/// not: what slides when it is short depends on the machine. An undo, a redo and a recovery are exact all the same, as
+/// they go by what was written.
+///
+/// With a time, what is active takes turns, a lot of some thousand triangles at a time: all that a run() does, writing
+/// back too, and all that others do afterwards with what it changed, is bounded by the time and not by how much slides
+/// elsewhere. Where there is more than the time allows, the sand slides slower.
 struct ErosionBudget
 {
     std::uint64_t transfers = std::numeric_limits<std::uint64_t>::max();
@@ -47,8 +54,7 @@ public:
     void activateAll(const Tin &tin);
     void activate(std::span<const TriangleId> triangles);
     /// Nothing is on the list. True does not say that nothing could slide, but that nobody reported it.
-    bool isAtRest() const { return mActive.empty(); }
-    /// Entries of the list. What was reported twice counts twice until a run() has looked at it.
+    bool isAtRest() const { return mActive.isEmpty(); }
     std::size_t activeCount() const { return mActive.size(); }
 
     /// Lets what is on the list slide for `seconds` of simulated time, at most within the budget. What is left of a
@@ -68,33 +74,35 @@ public:
     static constexpr std::uint32_t LargestAddition = 4000000;
 
 private:
-    struct Active
-    {
-        TriangleId triangle;
-        bool isMoving;
-    };
-
     struct Manner
     {
         SweepRule rule;
         double longestEdge;                               ///< 0: none is split
         bool isBrief;                                     ///< no more than a few sweeps
+        std::uint32_t mostAdded;                          ///< vertices, by splitting edges
         std::function<bool(const SweepCount &)> isEnough; ///< asked after each sweep
     };
 
     Erosion(const ErosionSettings &settings, std::span<const Material> materials);
     Result<void> checkLayers(const Tin &tin) const;
-    void slide(TinEdit &edit, std::vector<Active> start, const Manner &manner, const Progress &progress,
-               ErosionStatistics &statistics);
-    void slideCoarsely(TinEdit &edit, std::span<const Active> steep, const Progress &progress,
+    const SlopeTable &slopesOf(const LayerTable &layers);
+    std::vector<ActiveTriangle> slide(TinEdit &edit, std::vector<ActiveTriangle> start, const Manner &manner,
+                                      const Progress &progress, ErosionStatistics &statistics);
+    void slideAll(TinEdit &edit, const SweepRule &rule, const ErosionBudget &budget, ErosionStatistics &statistics);
+    void slideInTurns(TinEdit &edit, const SweepRule &rule, const ErosionBudget &budget, ErosionStatistics &statistics);
+    void slideCoarsely(TinEdit &edit, std::span<const ActiveTriangle> steep, const Progress &progress,
                        ErosionStatistics &statistics);
-    std::vector<Active> steepTriangles(const Tin &tin, const Progress &progress) const;
+    std::vector<ActiveTriangle> steepTriangles(const Tin &tin, const Progress &progress);
     void simplify(TinEdit &edit, const Progress &progress, ErosionStatistics &statistics);
 
     ErosionSettings mSettings;
     std::vector<Material> mMaterials;
-    std::vector<Active> mActive;
-    double mTimeLeft = 0;           ///< of a sweep, in sweeps
+    ActiveList mActive;
+    double mTimeLeft = 0;       ///< that no sweep has used, in sweeps
+    std::size_t mRoundLeft = 0; ///< entries of the list that have not had their turn in this round ...
+    double mRoundSweeps = 0;    ///< ... in which each is swept that often
+    std::optional<SlopeTable> mSlopes;
+    LayerTable mSlopesOf;           ///< the layers that mSlopes was made for
     std::vector<VertexId> mReached; ///< what slid since the last simplify()
     Patch::Ids mIds;
 };

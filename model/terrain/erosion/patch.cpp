@@ -34,14 +34,8 @@ SlopeTable::SlopeTable(const LayerTable &layers, std::span<const Material> mater
         append(bare);
     for (std::uint32_t l = 0; l < layers.count; ++l)
         append(materials[layers.materials[l]]);
-}
-
-double SlopeTable::lowest() const
-{
-    double slope = Infinity;
     for (const auto &curve : mCurves)
-        slope = std::min(slope, *std::min_element(curve.begin(), curve.end()));
-    return slope;
+        mLowest = std::min(mLowest, *std::min_element(curve.begin(), curve.end()));
 }
 
 Patch::Patch(const Tin &tin, const SlopeTable &slopes, const Material &bare, Ids &ids)

@@ -7,6 +7,7 @@
 #include "model/terrain/tin/tinedit.h"
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,11 +30,12 @@ public:
     }
 
     /// Of the weakest layer at its weakest.
-    double lowest() const;
+    double lowest() const { return mLowest; }
 
 private:
     static constexpr int Steps = 1024;
     std::vector<std::array<double, Steps + 1>> mCurves;
+    double mLowest = std::numeric_limits<double>::infinity();
 };
 
 /// A vertex as sliding needs it, in one half of a cache line.

@@ -28,8 +28,8 @@ void EarlierSurface::note(const Edit &edit)
 
 EarlierSurface::Triangle EarlierSurface::triangle(TriangleId t) const
 {
-    if (const auto found = mTriangles.find(t); found != mTriangles.end())
-        return found->second;
+    if (const Triangle *const earlier = mTriangles.find(t))
+        return *earlier;
     const TinArrays &tin = mTin->arrays();
     const VertexId *const v = tin.triangleVertices.data() + 3 * std::size_t(t);
     const Corner *const o = tin.opposites.data() + 3 * std::size_t(t);
@@ -38,14 +38,14 @@ EarlierSurface::Triangle EarlierSurface::triangle(TriangleId t) const
 
 Point2 EarlierSurface::point(VertexId v) const
 {
-    const auto found = mPoints.find(v);
-    return found == mPoints.end() ? mTin->arrays().points[v] : found->second;
+    const Point2 *const earlier = mPoints.find(v);
+    return earlier ? *earlier : mTin->arrays().points[v];
 }
 
 double EarlierSurface::height(VertexId v) const
 {
-    const auto found = mHeights.find(v);
-    return found == mHeights.end() ? mTin->arrays().heights[v] : found->second;
+    const double *const earlier = mHeights.find(v);
+    return earlier ? *earlier : mTin->arrays().heights[v];
 }
 
 /// A triangle that held `p`: any of them, if it lay on an edge or a vertex.

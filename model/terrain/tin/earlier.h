@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/terrain/tin/slotmap.h"
 #include "model/terrain/tin/tin.h"
-
-#include <unordered_map>
 
 namespace model::terrain {
 
@@ -21,7 +20,7 @@ public:
     /// An edit was done, the next one after those told of before. Cost: that of the edit.
     void note(const Edit &edit);
     /// Nothing was noted, or nothing of it wrote anything.
-    bool isNow() const { return mTriangles.empty() && mHeights.empty(); }
+    bool isNow() const { return mTriangles.isEmpty() && mHeights.isEmpty(); }
 
     /// What Tin::heightAt() said then, to the bit. Precondition: `p` lies in the domain.
     double heightAt(Point2 p) const;
@@ -49,9 +48,9 @@ private:
 
     const Tin *mTin;
     Sizes mSlots;
-    std::unordered_map<VertexId, Point2> mPoints;
-    std::unordered_map<VertexId, double> mHeights;
-    std::unordered_map<TriangleId, Triangle> mTriangles;
+    SlotMap<Point2> mPoints;
+    SlotMap<double> mHeights;
+    SlotMap<Triangle> mTriangles;
     mutable TriangleId mLast = None; ///< where the search before ended
 };
 

@@ -2,10 +2,13 @@
 #include "model/terrain/tin/tin.h"
 
 #include "model/base/digest.h"
+#include "model/base/parallel.h"
 #include "model/terrain/tin/constraintlists.h"
 #include "model/terrain/tin/tinwriter.h"
 
+#include <algorithm>
 #include <cassert>
+#include <vector>
 
 namespace model::terrain {
 
@@ -15,14 +18,26 @@ namespace {
 template <class Height>
 double volumeUnder(const TinArrays &tin, Height height)
 {
-    CompensatedSum sum;
-    for (TriangleId t = 0; t < tin.triangleSlots(); ++t) {
-        if (tin.triangleFlags[t] & (FreeTriangle | VoidTriangle))
-            continue;
-        const VertexId *const v = tin.triangleVertices.data() + 3 * std::size_t(t);
-        sum.add(areaOf(tin, t) * (height(v[0]) + height(v[1]) + height(v[2])));
+    // Blocks that do not depend on the number of threads: nor does the sum.
+    constexpr std::size_t Block = 1 << 18;
+    const std::size_t slots = tin.triangleSlots();
+    std::vector<CompensatedSum> sums((slots + Block - 1) / Block);
+    parallelFor(sums.size(), [&](std::size_t i) {
+        CompensatedSum sum;
+        for (std::size_t t = i * Block, end = std::min(t + Block, slots); t < end; ++t) {
+            if (tin.triangleFlags[t] & (FreeTriangle | VoidTriangle))
+                continue;
+            const VertexId *const v = tin.triangleVertices.data() + 3 * t;
+            sum.add(areaOf(tin, TriangleId(t)) * (height(v[0]) + height(v[1]) + height(v[2])));
+        }
+        sums[i] = sum;
+    });
+    CompensatedSum total;
+    for (const CompensatedSum &sum : sums) {
+        total.add(sum.sum);
+        total.add(sum.lost);
     }
-    return sum.value() / 3;
+    return total.value() / 3;
 }
 
 } // namespace

@@ -187,6 +187,60 @@ private slots:
         QCOMPARE(erosion.run(edit, 1)->transfers, std::uint64_t(0));
     }
 
+    /// Without any time at all, each run still gives the next lot its turn, and no more than that.
+    void whatIsTooMuchForTheTimeTakesTurns()
+    {
+        Tin tin = tests::column(30000);
+        const double volume = tin.volume();
+        const std::string before = tests::bytesOf(tin);
+        Erosion erosion = makeErosion();
+        erosion.activateAll(tin);
+        erosion.activateAll(tin);
+        const std::size_t all = erosion.activeCount();
+        QCOMPARE(all, std::size_t(tin.triangleCount()));
+        std::vector<Edit> edits;
+        std::uint64_t most = 0;
+        bool isAtRest = false;
+        for (int frame = 0; !isAtRest && frame < 20000; ++frame) {
+            TinEdit edit(tin);
+            const auto ran = erosion.run(edit, 1, {.milliseconds = 0});
+            QVERIFY(ran && ran->sweeps <= 1);
+            most = std::max(most, ran->visits);
+            isAtRest = ran->isAtRest;
+            edits.push_back(edit.commit());
+            QVERIFY(erosion.activeCount() <= all); // each of them once
+        }
+        QVERIFY(isAtRest && erosion.isAtRest());
+        QVERIFY2(most < all / 4, qPrintable(QString::number(most)));
+        QVERIFY(edits.size() > 20);
+        QVERIFY(tests::steepestFace(tin) <= 31.6);
+        QVERIFY(relativeDrift(tin, volume) < 1e-12);
+        QVERIFY(validate(tin));
+        const std::string after = tests::bytesOf(tin);
+        for (std::size_t i = edits.size(); i-- > 0;)
+            tin.swap(edits[i]);
+        QVERIFY(tests::bytesOf(tin) == before);
+        for (Edit &edit : edits)
+            tin.swap(edit);
+        QVERIFY(tests::bytesOf(tin) == after);
+    }
+
+    /// Long enough for all of it, a time changes nothing.
+    void enoughTimeIsAsGoodAsNoLimit()
+    {
+        Tin limited = tests::column(1500), free = limited;
+        for (Tin *const tin : {&limited, &free}) {
+            Erosion erosion = makeErosion();
+            erosion.activateAll(*tin);
+            for (int frame = 0; frame < 20; ++frame) {
+                TinEdit edit(*tin);
+                QVERIFY(tin == &free ? erosion.run(edit, 0.05) : erosion.run(edit, 0.05, {.milliseconds = 1e9}));
+                edit.commit();
+            }
+        }
+        QVERIFY(tests::bytesOf(limited) == tests::bytesOf(free));
+    }
+
     void onlyWhatIsActiveSlides()
     {
         Tin tin = tests::column(2000);
