@@ -40,9 +40,11 @@ const Edit *TerrainContext::keep(Edit edit)
         mStep.reset();
     }
     if (mStep) {
+        joinLast();
         mStep->mEdits.push_back(std::move(edit));
         return &mStep->mEdits.back();
     }
+    mJoiner.reset();
     std::vector<Edit> edits;
     edits.push_back(std::move(edit));
     mStep.reset(new EditSurface(mDocument, mText, std::move(edits)));
@@ -54,6 +56,22 @@ const Edit *TerrainContext::keep(Edit edit)
     const std::shared_ptr<EditSurface> step = mStep;
     mHistory.push(step);
     return &step->mEdits.back();
+}
+
+/// Joins the last edit of the step to the one before it. The very last one stays as it is until the next one comes:
+/// keep() has given it away.
+void TerrainContext::joinLast()
+{
+    std::vector<Edit> &edits = mStep->mEdits;
+    if (edits.size() < 2)
+        return;
+    Edit &before = edits[edits.size() - 2];
+    if (!mJoiner)
+        mJoiner.emplace(before);
+    if (mJoiner->join(before, edits.back()))
+        edits.pop_back();
+    else
+        mJoiner.reset();
 }
 
 void TerrainContext::endGesture()

@@ -4,6 +4,9 @@
 #include "commands/base/documentcontext.h"
 #include "commands/terrain/editsurface.h"
 #include "model/document/terraindocument.h"
+#include "model/terrain/tin/editjoiner.h"
+
+#include <optional>
 
 namespace commands {
 
@@ -13,6 +16,8 @@ namespace commands {
 /// undo step, which lies on the undo stack from the first edit on. So undo in the midst of a gesture ends it and takes
 /// back all of it, whoever asked the stack; any other command that is pushed ends the gesture too. Nobody goes on
 /// changing what was saved: after a save in the midst of a gesture, its next edits are a step of their own.
+///
+/// The edits of a step are joined as they come: however long sand slides, its step keeps what it wrote over once.
 class TerrainContext final : public DocumentContext<model::TerrainDocument>
 {
     Q_OBJECT
@@ -48,11 +53,13 @@ signals:
 
 private:
     const model::terrain::Edit *keep(model::terrain::Edit edit);
+    void joinLast();
 
     HistoryBudget mHistory;
     bool mHasGesture = false;
     QString mText;
-    std::shared_ptr<EditSurface> mStep; ///< of the gesture, once there is an edit
+    std::shared_ptr<EditSurface> mStep;                ///< of the gesture, once there is an edit
+    std::optional<model::terrain::EditJoiner> mJoiner; ///< for the last but one of its edits
 };
 
 } // namespace commands

@@ -38,6 +38,34 @@ void appendTail(FlatArray<T> &array, std::vector<T> &tail)
     std::vector<T>().swap(tail);
 }
 
+/// Appends a slot that comes after those in `ranges`.
+void append(std::vector<SlotRange> &ranges, std::uint32_t slot)
+{
+    if (ranges.empty() || ranges.back().first + ranges.back().count != slot)
+        ranges.push_back({slot, 0});
+    ++ranges.back().count;
+}
+
+/// Ascending, of slots below `end`, each there once.
+std::vector<SlotRange> rangesOf(std::vector<std::uint32_t> slots, std::uint32_t end)
+{
+    // From here on going over marks is faster than sorting.
+    constexpr std::size_t SlotsForMarks = 4096, ShareForMarks = 64;
+    std::vector<SlotRange> ranges;
+    if (slots.size() < SlotsForMarks || slots.size() < end / ShareForMarks) {
+        std::sort(slots.begin(), slots.end());
+        for (const std::uint32_t slot : slots)
+            append(ranges, slot);
+        return ranges;
+    }
+    SlotMarks marks;
+    marks.resize(end);
+    for (const std::uint32_t slot : slots)
+        marks.set(slot);
+    marks.forEachSet([&](std::size_t slot) { append(ranges, std::uint32_t(slot)); });
+    return ranges;
+}
+
 } // namespace
 
 std::size_t Edit::byteSize() const
@@ -53,19 +81,18 @@ std::size_t Edit::byteSize() const
 bool Edit::isEmpty() const
 {
     return mPoints.empty() && mHeights.empty() && mLinks.empty() && mTriangles.empty() && mRecords.empty() &&
-           mColumns.vertices.empty() && !mChangesLayers && mBefore.vertices == mAfter.vertices &&
-           mBefore.triangles == mAfter.triangles && mBefore.records == mAfter.records;
+           mColumns.vertices.empty() && !mChangesLayers && mBefore == mAfter;
 }
 
 bool Edit::isValuesOnly() const
 {
     return mPoints.empty() && mLinks.empty() && mTriangles.empty() && mRecords.empty() && !mChangesLayers &&
-           mBefore.vertices == mAfter.vertices && mBefore.triangles == mAfter.triangles &&
-           mBefore.records == mAfter.records;
+           mBefore == mAfter;
 }
 
 std::vector<SlotRange> Edit::dirtyRanges(TinPart part) const
 {
+    const bool isTriangles = part == TinPart::Triangles;
     std::vector<std::uint32_t> slots;
     const auto collect = [&](const auto &saved) {
         slots.reserve(saved.size());
@@ -88,14 +115,7 @@ std::vector<SlotRange> Edit::dirtyRanges(TinPart part) const
         slots = mColumns.vertices;
         break;
     }
-    std::sort(slots.begin(), slots.end());
-    std::vector<SlotRange> ranges;
-    for (const std::uint32_t slot : slots) {
-        if (ranges.empty() || ranges.back().first + ranges.back().count != slot)
-            ranges.push_back({slot, 0});
-        ++ranges.back().count;
-    }
-    const bool isTriangles = part == TinPart::Triangles;
+    std::vector<SlotRange> ranges = rangesOf(std::move(slots), isTriangles ? mBefore.triangles : mBefore.vertices);
     const std::uint32_t added = isTriangles ? mBefore.triangles : mBefore.vertices;
     const std::uint32_t limit = isTriangles ? mAfter.triangles : mAfter.vertices;
     if (added < limit) {

@@ -37,6 +37,7 @@ private:
     friend class Journal;
     friend class OtherSide;
     friend class EarlierSurface;
+    friend class EditJoiner;
 
     template <class T>
     struct Saved
@@ -58,6 +59,8 @@ private:
     struct Slots
     {
         std::uint32_t vertices = 0, triangles = 0, records = 0;
+
+        friend constexpr bool operator==(const Slots &, const Slots &) = default;
     };
     /// The layers of vertices, as many values for each as there are layers.
     struct Columns

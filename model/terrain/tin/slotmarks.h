@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,14 @@ public:
     }
     /// Clears a bit and, being meant for clearing all that were set, its neighbours.
     void clear(std::size_t i) { mWords[i >> 6] = 0; }
+    /// Ascending.
+    template <class Visit>
+    void forEachSet(Visit visit) const
+    {
+        for (std::size_t w = 0; w < mWords.size(); ++w)
+            for (std::uint64_t word = mWords[w]; word; word &= word - 1)
+                visit(64 * w + std::size_t(std::countr_zero(word)));
+    }
     std::size_t byteSize() const { return mWords.size() * sizeof(std::uint64_t); }
 
 private:

@@ -50,6 +50,31 @@ private slots:
         context.endGesture();
         QCOMPARE(context.undoStack().count(), 1);
     }
+    /// A slide of many frames keeps what it wrote over once, and its one step is undone and redone to the byte.
+    void aLongGestureKeepsWhatItWroteOnce()
+    {
+        TerrainDocument document(tests::sandbox());
+        TerrainContext context(document);
+        const tests::State before(document);
+        context.beginGesture(QStringLiteral("Let Sand Slide"));
+        std::size_t once = 0;
+        for (int frame = 0; frame < 500; ++frame) {
+            const Edit *const edit = context.edit([frame](TinEdit &open) {
+                for (VertexId v = 4; v < 30; ++v)
+                    open.setHeight(v, 1 + 0.01 * ((frame + int(v)) % 7));
+            });
+            QVERIFY(edit && edit->dirtyRanges(TinPart::Heights).front().first == 4); // of this frame alone
+            once = std::max(once, edit->byteSize());
+        }
+        context.endGesture();
+        QCOMPARE(context.undoStack().count(), 1);
+        QVERIFY2(context.history().used() <= 6 * once, qPrintable(QString::number(context.history().used())));
+        const tests::State after(document);
+        context.undoStack().undo();
+        QVERIFY(tests::State(document) == before);
+        context.undoStack().redo();
+        QVERIFY(tests::State(document) == after);
+    }
     void undoInTheMidstEndsTheGestureAndIsExact()
     {
         TerrainDocument document(tests::sandbox());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/terrain/tin/editjoiner.h"
 #include "model/terrain/tin/tinedit.h"
 #include "model/terrain/tin/validate.h"
 #include "tests/model/terrain/tin/randomedits.h"
@@ -6,6 +7,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
+#include <set>
 
 using namespace model::terrain;
 
@@ -116,6 +119,101 @@ private slots:
             QVERIFY(bytesOf(tin) == states.back());
         }
         QVERIFY(findDefects(tin).empty());
+    }
+
+    void joinedEditsAreUndoneAsOne_data() { undoAndRedoAreExactToTheByte_data(); }
+    /// Runs of random edits joined to one each, walked back and forth.
+    void joinedEditsAreUndoneAsOne()
+    {
+        QFETCH(int, ground);
+        QFETCH(bool, hasLayers);
+        tests::PointSource source(tests::Ground(ground), 33);
+        auto built = buildTin(source.points(150), source.domain());
+        QVERIFY(built);
+        Tin &tin = built->tin;
+        std::vector<Edit> edits;
+        std::vector<std::string> states{bytesOf(tin)};
+        int joined = 0, refused = 0;
+        for (int run = 0; run < 40; ++run) {
+            std::optional<EditJoiner> joiner;
+            for (std::uint32_t i = 0, count = 1 + source.below(20); i < count; ++i) {
+                TinEdit edit(tin, source.below(2) ? VolumeRule::GiveBack : VolumeRule::Keep);
+                for (std::uint32_t steps = source.below(8); steps > 0; --steps)
+                    if (hasLayers && source.below(2))
+                        tests::randomLayerStep(edit, source, i % 5 == 0);
+                    else
+                        tests::randomStep(edit, source);
+                Edit done = edit.commit();
+                if (joiner && joiner->join(edits.back(), done)) {
+                    states.back() = bytesOf(tin);
+                    ++joined;
+                    continue;
+                }
+                refused += joiner.has_value();
+                edits.push_back(std::move(done));
+                states.push_back(bytesOf(tin));
+                joiner.emplace(edits.back());
+            }
+            for (const int direction : {0, 1}) {
+                for (std::size_t k = 0; k < edits.size(); ++k) {
+                    tin.swap(edits[direction ? k : edits.size() - 1 - k]);
+                    QVERIFY(bytesOf(tin) == states[direction ? k + 1 : edits.size() - 1 - k]);
+                }
+                if (direction == 0)
+                    QVERIFY(findDefects(tin).empty());
+            }
+        }
+        QVERIFY(joined > 100);
+        QCOMPARE(refused > 0, hasLayers);
+    }
+
+    void aLongSlideKeepsWhatItWroteOnce()
+    {
+        tests::PointSource source(tests::Ground::Random, 5);
+        Tin tin = std::move(buildTin(source.points(500), source.domain())->tin);
+        const std::string before = bytesOf(tin);
+        const auto slide = [&](int frame) {
+            TinEdit edit(tin);
+            for (VertexId v = 10; v < 200; ++v)
+                edit.transfer(v, v + 1, 1e-4 * ((frame + int(v)) % 3 - 1));
+            return edit.commit();
+        };
+        Edit all = slide(0);
+        const std::size_t once = all.byteSize();
+        EditJoiner joiner(all);
+        for (int frame = 1; frame < 1000; ++frame)
+            QVERIFY(joiner.join(all, slide(frame)));
+        QVERIFY(all.isValuesOnly());
+        QVERIFY(all.byteSize() <= 2 * once);
+        QCOMPARE(all.dirtyRanges(TinPart::Heights), (std::vector<SlotRange>{{10, 191}}));
+        const std::string after = bytesOf(tin);
+        tin.swap(all);
+        QVERIFY(bytesOf(tin) == before);
+        tin.swap(all);
+        QVERIFY(bytesOf(tin) == after);
+    }
+
+    /// Few slots are sorted, many are marked.
+    void dirtyRangesOfManySlots()
+    {
+        tests::PointSource source(tests::Ground::Random, 6);
+        Tin tin = std::move(buildTin(source.points(9000), source.domain())->tin);
+        for (const std::uint32_t count : {100u, 5000u, 60000u}) {
+            TinEdit edit(tin);
+            std::set<std::uint32_t> written;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const VertexId v = source.below(tin.arrays().vertexSlots());
+                edit.setHeight(v, tin.arrays().heights[v] + 1);
+                written.insert(v);
+            }
+            std::vector<SlotRange> expected;
+            for (const std::uint32_t v : written) {
+                if (expected.empty() || expected.back().first + expected.back().count != v)
+                    expected.push_back({v, 0});
+                ++expected.back().count;
+            }
+            QCOMPARE(edit.commit().dirtyRanges(TinPart::Heights), expected);
+        }
     }
 
     void whatIsNotCommittedIsUndone()
