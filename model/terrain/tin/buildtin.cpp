@@ -61,44 +61,97 @@ double nearestHeight(std::span<const Point3> points, Point2 p)
 
 struct TinBuilder
 {
-    /// Puts the points in one after the other, along the Hilbert curve.
-    static BuiltTin build(std::span<const Point3> points, const Rectangle &domain)
+    TinBuilder(std::span<const Point3> points, const Rectangle &domain)
+        : mPoints(points)
+        , mBuilt{Tin(domain), std::vector<VertexId>(points.size(), None), 0}
+    {}
+
+    /// Numbers the points along the Hilbert curve, and puts them in along it too.
+    BuiltTin build()
     {
-        BuiltTin built{Tin(domain), std::vector<VertexId>(points.size(), None), 0};
-        TinArrays &tin = built.tin.mArrays;
-        tin.reserve(points.size() + 4, 2 * (points.size() + 4));
+        TinArrays &tin = mBuilt.tin.mArrays;
+        tin.reserve(mPoints.size() + 4, 2 * (mPoints.size() + 4));
         for (VertexId v = 0; v < 4; ++v)
-            tin.heights[v] = nearestHeight(points, tin.points[v]);
-        TinWriter writer(tin, built.tin.mJournal);
-        VertexId near = 0;
-        bool isCornerTaken[4] = {}; // by a point that lies there
-        for (const std::uint32_t i : hilbertOrder(points, domain)) {
-            const Point2 p{points[i].x, points[i].y};
-            const Location location = locate(tin, p, near);
-            if (location.kind == Location::Kind::Vertex) {
-                near = tin.vertex(location.corner);
-                built.duplicates += near >= 4 || std::exchange(isCornerTaken[near], true);
-            } else {
-                near = writer.addVertex(p, points[i].z);
-                if (location.kind == Location::Kind::Edge)
-                    writer.splitEdge(location.corner, near);
-                else
-                    writer.splitTriangle(triangleOf(location.corner), near);
-                writer.restoreDelaunayAround(near);
-            }
-            built.vertexOf[i] = near;
-        }
-        tin.totals.ledger.start = built.tin.volume();
-        built.tin.mHints.build(tin, domain);
-        return built;
+            tin.heights[v] = nearestHeight(mPoints, tin.points[v]);
+        numberVertices();
+        insertVertices();
+        tin.totals.vertices = tin.vertexSlots();
+        tin.totals.ledger.start = mBuilt.tin.volume();
+        mBuilt.tin.mHints.build(tin, mBuilt.tin.domain());
+        return std::move(mBuilt);
     }
+
+private:
+    /// A vertex for each point that is not where one before it is.
+    void numberVertices()
+    {
+        constexpr std::size_t Ahead = 12; // what is read here and there is asked for that early
+        TinArrays &tin = mBuilt.tin.mArrays;
+        const std::vector<std::uint32_t> order = hilbertOrder(mPoints, mBuilt.tin.domain());
+        bool isCornerTaken[4] = {}; // by a point that lies there
+        VertexId last = None;
+        tin.resizeVertices(mPoints.size() + 4);
+        VertexId end = 4;
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            if (k + Ahead < order.size()) {
+                prefetch(&mPoints[order[k + Ahead]]);
+                prefetch(&mBuilt.vertexOf[order[k + Ahead]]);
+            }
+            const Point3 &point = mPoints[order[k]];
+            const Point2 p{point.x, point.y};
+            const auto corner = VertexId(std::find(tin.points.data(), tin.points.data() + 4, p) - tin.points.data());
+            if (corner < 4) {
+                mBuilt.duplicates += std::exchange(isCornerTaken[corner], true);
+                last = corner;
+            } else if (last != None && tin.points[last] == p) {
+                ++mBuilt.duplicates;
+            } else {
+                last = end++;
+                tin.points[last] = p;
+                tin.heights[last] = point.z;
+                tin.corners[last] = NoCorner;
+                tin.constraints[last] = None;
+            }
+            mBuilt.vertexOf[order[k]] = last;
+        }
+        tin.resizeVertices(end);
+    }
+
+    /// Coarsely first, and then between those: where all come one after the other, each new one lies beside long thin
+    /// triangles that reach over all of the ground still empty. 3.0 flips for a point instead of 4.7, and a fifth of
+    /// the time.
+    void insertVertices()
+    {
+        constexpr VertexId Steps[] = {64, 8, 1};
+        TinArrays &tin = mBuilt.tin.mArrays;
+        TinWriter writer(tin, mBuilt.tin.mJournal);
+        VertexId near = 0, before = 0;
+        for (const VertexId step : Steps) {
+            for (VertexId v = 4; v < tin.vertexSlots(); v += step) {
+                if (before != 0 && (v - 4) % before == 0)
+                    continue;
+                const Location location = locate(tin, tin.points[v], near);
+                assert(location.kind != Location::Kind::Vertex && "points at one place are neighbours in the order");
+                if (location.kind == Location::Kind::Edge)
+                    writer.splitEdge(location.corner, v);
+                else
+                    writer.splitTriangle(triangleOf(location.corner), v);
+                writer.restoreDelaunayAround(v);
+                near = v;
+            }
+            before = step;
+        }
+    }
+
+    const std::span<const Point3> mPoints;
+    BuiltTin mBuilt;
 };
 
 Result<BuiltTin> buildTin(std::span<const Point3> points, const Rectangle &domain)
 {
     if (const Result<void> checked = check(points, domain); !checked)
         return fail(checked.error());
-    return TinBuilder::build(points, domain);
+    return TinBuilder(points, domain).build();
 }
 
 Rectangle boundsOf(std::span<const Point3> points)

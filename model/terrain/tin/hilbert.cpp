@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Based on: J. Skilling, Programming the Hilbert curve, 2004, for the curve; the state table is worked out from it.
-// Differs: four states and a table look-up for each of the 32 levels.
+// Differs: four states, and a table look-up for every four of the 32 levels.
 #include "model/terrain/tin/hilbert.h"
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace model::terrain {
 
@@ -37,14 +38,30 @@ constexpr std::array<Step, 16> Steps{{
     {0, 2}, //
 }};
 
+/// Four levels at once. Index: state * 256 + 4 bits of x * 16 + 4 bits of y; the low 8 bits are the place along the
+/// curve, above them is the state.
+constexpr std::array<std::uint16_t, 1024> FourSteps = [] {
+    std::array<std::uint16_t, 1024> table{};
+    for (unsigned i = 0; i < table.size(); ++i) {
+        unsigned state = i >> 8, place = 0;
+        for (int bit = 3; bit >= 0; --bit) {
+            const Step step = Steps[state * 4 + (i >> (4 + bit) & 1) * 2 + (i >> bit & 1)];
+            place = place << 2 | step.quadrant;
+            state = step.state;
+        }
+        table[i] = std::uint16_t(state << 8 | place);
+    }
+    return table;
+}();
+
 struct Key
 {
     std::uint64_t index;
     std::uint32_t point;
 };
 
-/// Stable, by four digits of 11 bits from the top.
-void radixSort(std::vector<Key> &keys)
+/// By four digits of 11 bits from the top. Stable, but that points at one place become neighbours.
+void radixSort(std::vector<Key> &keys, std::span<const Point3> points)
 {
     constexpr int Bits = 11;
     std::vector<Key> sorted(keys.size());
@@ -64,7 +81,10 @@ void radixSort(std::vector<Key> &keys)
             ++last;
         if (last - first > 1)
             std::stable_sort(keys.begin() + std::ptrdiff_t(first), keys.begin() + std::ptrdiff_t(last),
-                             [](const Key &a, const Key &b) { return a.index < b.index; });
+                             [&](const Key &a, const Key &b) {
+                                 const Point3 &p = points[a.point], &q = points[b.point];
+                                 return std::tie(a.index, p.x, p.y) < std::tie(b.index, q.x, q.y);
+                             });
     }
 }
 
@@ -74,10 +94,10 @@ std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y)
 {
     std::uint64_t index = 0;
     unsigned state = 0;
-    for (int bit = 31; bit >= 0; --bit) {
-        const Step step = Steps[state * 4 + (x >> bit & 1) * 2 + (y >> bit & 1)];
-        index = index << 2 | step.quadrant;
-        state = step.state;
+    for (int shift = 28; shift >= 0; shift -= 4) {
+        const unsigned step = FourSteps[state | (x >> shift & 15) << 4 | (y >> shift & 15)];
+        index = index << 8 | (step & 255);
+        state = step & ~255u;
     }
     return index;
 }
@@ -91,7 +111,7 @@ std::vector<std::uint32_t> hilbertOrder(std::span<const Point3> points, const Re
         keys[i] = {hilbertIndex(std::uint32_t((points[i].x - domain.low.x) * scale),
                                 std::uint32_t((points[i].y - domain.low.y) * scale)),
                    std::uint32_t(i)};
-    radixSort(keys);
+    radixSort(keys, points);
     std::vector<std::uint32_t> order(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i)
         order[i] = keys[i].point;

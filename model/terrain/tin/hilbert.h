@@ -12,7 +12,7 @@ namespace model::terrain {
 std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y);
 
 /// The indices of `points` along a Hilbert curve over `domain`: neighbours on it are neighbours in the plane. Points in
-/// the same cell keep their order. Precondition: the points lie in the domain.
+/// the same cell go by x, then y; those at the same place are neighbours, and keep their order. Precondition: the points lie in the domain.
 std::vector<std::uint32_t> hilbertOrder(std::span<const Point3> points, const Rectangle &domain);
 
 } // namespace model::terrain

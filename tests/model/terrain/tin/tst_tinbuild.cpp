@@ -54,6 +54,25 @@ private slots:
         QCOMPARE(tin.heights[1], 1.0);
     }
 
+    /// Closer together than the curve can tell, and taken in turns: each place is one vertex all the same.
+    void heapedPointsAreToldApart()
+    {
+        std::vector<Point3> points;
+        for (int i = 0; i < 400; ++i)
+            points.push_back({0.3 + (i % 5) * 0x1p-50, 0.3 + (i % 7) * 0x1p-50, double(i)});
+        const auto built = buildTin(points, {{0, 0}, {1, 1}});
+        QVERIFY(built);
+        QCOMPARE(built->tin.vertexCount(), 4u + 35u);
+        QCOMPARE(built->duplicates, 400u - 35u);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const VertexId v = built->vertexOf[i];
+            QCOMPARE(built->tin.arrays().points[v], (Point2{points[i].x, points[i].y}));
+            QCOMPARE(built->tin.arrays().heights[v], double(i % 35)); // of the first there
+        }
+        QVERIFY(findDefects(built->tin).empty());
+        QCOMPARE(tests::differenceFromCgal(built->tin), std::string());
+    }
+
     void theSamePointsMakeTheSameBytes()
     {
         tests::PointSource source(tests::Ground::Clusters, 5);
