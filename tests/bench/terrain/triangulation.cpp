@@ -1,34 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The TIN against CGAL's Constrained_Delaunay_triangulation_2 on the same random points in the same run, taken in
-// turns; then stamps. `sandreel-bench-terrain [largest size]`; sizes above 1M are only built.
-#include "tests/bench/bench_terrain.h"
+// turns.
+#include "tests/bench/terrain/table.h"
 
 #include "model/terrain/tin/tinedit.h"
 
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <random>
 
 namespace bench {
 
-std::vector<Point3> randomPoints(std::size_t count, unsigned seed)
-{
-    std::mt19937_64 random(seed);
-    const auto unit = [&] { return double(random() >> 11) * 0x1p-53; };
-    std::vector<Point3> points(count);
-    for (Point3 &p : points) {
-        p = {unit(), unit(), 0};
-        p.z = std::sin(9 * p.x) * std::cos(7 * p.y);
-    }
-    return points;
-}
-
-} // namespace bench
-
 namespace {
 
-using namespace bench;
 using namespace model::terrain;
 
 constexpr Rectangle Domain{{0, 0}, {1, 1}};
@@ -46,18 +28,26 @@ void benchBuild(std::size_t size)
 {
     const std::vector<Point3> points = randomPoints(size, 1);
     Fastest ours, cgal;
-    double bytes = 0;
+    double bytes = 0, layered = 0;
     for (int round = 0; round < (size > 2000000 ? 2 : 3); ++round) {
         {
             const Stopwatch stopwatch;
-            const auto built = buildTin(points, Domain);
+            auto built = buildTin(points, Domain);
             ours.add(stopwatch.seconds());
-            bytes = double(built->tin.byteSize()) / built->tin.vertexCount();
+            Tin &tin = built->tin;
+            bytes = double(tin.byteSize()) / tin.vertexCount();
+            TinEdit edit(tin);
+            for (std::uint32_t layer = 0; layer < 3; ++layer)
+                edit.addLayer(layer, 0);
+            edit.commit();
+            layered = double(tin.byteSize()) / tin.vertexCount();
         }
         cgal.add(CgalTriangulation().build(points));
     }
     print("build", size, ours, cgal, 1, "s ");
-    std::printf("%-24s %9zu  ours %8.1f bytes a vertex (arrays, hints and marks)\n", "memory", size, bytes);
+    std::printf("%-24s %9zu  ours %8.1f bytes a vertex (arrays, hints and marks), with three layers %.1f\n", "memory",
+                size, bytes, layered);
+    std::fflush(stdout);
 }
 
 void benchOperations(std::size_t size)
@@ -126,13 +116,13 @@ void benchOperations(std::size_t size)
 
 } // namespace
 
-int main(int argc, char **argv)
+void printTriangulation(std::size_t largest)
 {
-    const std::size_t largest = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000000;
     const std::size_t middle = std::min<std::size_t>(largest, 1000000);
     benchBuild(middle);
     if (largest > middle)
         benchBuild(largest);
     benchOperations(middle);
-    bench::benchStamps(middle);
 }
+
+} // namespace bench

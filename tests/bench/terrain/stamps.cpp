@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/bench/bench_terrain.h"
+#include "tests/bench/terrain/table.h"
 
 #include "model/terrain/tools/stroke.h"
 
@@ -65,8 +65,9 @@ Times stampTimes(Tin &tin, double radius, int count)
 
 } // namespace
 
-void benchStamps(std::size_t largest)
+void printStamps(std::size_t largest)
 {
+    largest = std::min<std::size_t>(largest, 1000000);
     for (std::size_t size = largest / 100; size <= largest; size *= 10) {
         Tin tin = gentleGround(size);
         const double hundred = std::sqrt(100 / (M_PI * double(size)));
@@ -74,6 +75,7 @@ void benchStamps(std::size_t largest)
         std::printf("%-24s %9zu  p50 %.3f ms  p99 %.3f ms  undo p50 %.3f ms  p99 %.3f ms\n", "stamp on 100 vertices",
                     size, Times::at(times.draw, 0.5) * 1e3, Times::at(times.draw, 0.99) * 1e3,
                     Times::at(times.undo, 0.5) * 1e3, Times::at(times.undo, 0.99) * 1e3);
+        std::fflush(stdout);
         if (size < largest)
             continue;
         const Times large = stampTimes(tin, 0.04, 50);

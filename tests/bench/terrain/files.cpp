@@ -1,38 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Saving and opening terrains: `sandreel-bench-terrainfile [largest size]`. Random points, a thousand grid cells apart
-// on average, heights of hills on the same grid; the fastest of some rounds, through files.
+// Saving and opening terrains: random points, a thousand grid cells apart on average, heights of hills on the same
+// grid; the fastest of some rounds, through files.
 #include "model/io/terrain/terrainfile.h"
 #include "model/terrain/simplify/simplifygrid.h"
 #include "model/terrain/tin/tinedit.h"
+#include "tests/bench/terrain/table.h"
 
 #include <QFileInfo>
 #include <QTemporaryDir>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <random>
+
+namespace bench {
+
+namespace {
 
 using namespace model;
 using namespace model::terrain;
 
-namespace {
-
 constexpr int Rounds = 3;
 
-template <class Work>
-double seconds(Work work)
+struct Took
 {
-    double fastest = INFINITY;
-    for (int round = 0; round < Rounds; ++round) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        fastest = std::min(fastest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    Fastest wall, processor;
+
+    template <class Work>
+    explicit Took(Work work)
+    {
+        for (int round = 0; round < Rounds; ++round) {
+            const WallClock clock;
+            const Stopwatch stopwatch;
+            work();
+            wall.add(clock.seconds());
+            processor.add(stopwatch.seconds());
+        }
     }
-    return fastest;
-}
+};
 
 Terrain randomTerrain(std::size_t count)
 {
@@ -51,10 +56,11 @@ Terrain randomTerrain(std::size_t count)
 
 void benchFile(const char *name, const QString &path, const Terrain &terrain)
 {
-    const double save = seconds([&] { (void)io::saveTerrain(path, terrain, {}); });
-    const double load = seconds([&] { (void)io::openTerrain(path); });
-    std::printf("%-24s %9u  save %6.2f s  load %6.2f s  %5.2f bytes a vertex\n", name, terrain.tin.vertexCount(), save,
-                load, double(QFileInfo(path).size()) / terrain.tin.vertexCount());
+    const Took save([&] { (void)io::saveTerrain(path, terrain, {}); });
+    const Took load([&] { (void)io::openTerrain(path); });
+    std::printf("%-24s %9u  save %.2f s (%.2f s of processors)  load %.2f s (%.2f s)  %.2f bytes a vertex\n", name,
+                terrain.tin.vertexCount(), save.wall.seconds, save.processor.seconds, load.wall.seconds,
+                load.processor.seconds, double(QFileInfo(path).size()) / terrain.tin.vertexCount());
     std::fflush(stdout);
 }
 
@@ -66,22 +72,22 @@ void benchSimplify(std::uint32_t side)
             grid.heights.push_back(30 * std::sin(i * 0.01) * std::cos(j * 0.013) + 5 * std::sin(i * 0.1) +
                                    0.5 * std::sin(j * 0.7 + i * 0.3));
     std::uint32_t vertices = 0;
-    const double time = seconds([&] { vertices = simplifyGrid(grid, {0.25, 0x1p-10})->vertexCount(); });
-    std::printf("%-24s %9u  to 0.25 m: %u vertices in %.2f s\n", "import of a grid", side * side, vertices, time);
+    const Took time([&] { vertices = simplifyGrid(grid, {0.25, 0x1p-10})->vertexCount(); });
+    std::printf("%-24s %9u  to 0.25 m: %u vertices in %.2f s\n", "import of a grid", side * side, vertices,
+                time.wall.seconds);
 }
 
 } // namespace
 
-int main(int argc, char **argv)
+void printFiles(std::size_t largest)
 {
-    const std::size_t largest = argc > 1 ? std::size_t(std::atoll(argv[1])) : 6'000'000;
     const QTemporaryDir folder;
     const QString path = folder.filePath("a.terrain");
     for (const std::size_t size : {std::size_t(100'000), std::size_t(1'000'000), std::size_t(6'000'000)}) {
         if (size > largest)
             break;
         Terrain terrain = randomTerrain(size);
-        benchFile("random points", path, terrain);
+        benchFile("save and load", path, terrain);
         if (size != 1'000'000)
             continue;
         // What erosion leaves: heights with all their bits.
@@ -93,3 +99,5 @@ int main(int argc, char **argv)
     }
     benchSimplify(2048);
 }
+
+} // namespace bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/bench/heightfield.h"
+#include "tests/bench/terrain/heightfield.h"
 
 #include <algorithm>
 #include <cmath>

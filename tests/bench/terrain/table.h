@@ -2,8 +2,10 @@
 #pragma once
 
 #include "model/terrain/tin/ids.h"
+#include "model/terrain/tin/tin.h"
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <limits>
 #include <memory>
@@ -36,6 +38,16 @@ private:
     timespec mBegin = begin();
 };
 
+/// Time on the wall, for what several threads do.
+class WallClock
+{
+public:
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - mBegin).count(); }
+
+private:
+    std::chrono::steady_clock::time_point mBegin = std::chrono::steady_clock::now();
+};
+
 /// The smallest of many times.
 struct Fastest
 {
@@ -65,10 +77,28 @@ private:
     std::unique_ptr<Data> mData;
 };
 
-/// What 200 strokes, and stamps on TINs of several sizes, take; prints a table.
-void benchStamps(std::size_t largest);
+// The parts of the table. Each prints its rows.
+
+/// Build, memory, insert, remove and locate, beside CGAL. Sizes above a million are only built.
+void printTriangulation(std::size_t largest);
+/// Stamps on TINs of several sizes, undo of one and of 200.
+void printStamps(std::size_t largest);
+/// Transfers on one thread and on two, the column until it rests, and how soon settling stops when it is cancelled.
+void printSliding(std::size_t largest);
+/// What is left of the volume after a stroke, and after 10,000 mixed edits with erosion.
+void printBooks();
+/// A trace along 80 % of the diagonal, on a TIN and on a regular grid.
+void printTrace();
+/// Saving and opening.
+void printFiles(std::size_t largest);
 
 /// Random points in the unit square, with heights of waves.
 std::vector<Point3> randomPoints(std::size_t count, unsigned seed);
+
+/// A cylinder of radius 0.1 and height 0.5 in the middle of a unit square of random vertices.
+model::terrain::Tin column(std::size_t vertices);
+
+/// Degrees.
+double steepestFace(const model::terrain::Tin &tin);
 
 } // namespace bench
