@@ -10,7 +10,7 @@
 #include "model/mesh/analysis/matching.h"
 
 #include <algorithm>
-#include <optional>
+#include <memory>
 
 namespace model {
 
@@ -34,7 +34,7 @@ public:
     {
         if (mProgress.isCancelled())
             return {};
-        mSignatures.emplace(mGraph.surface, mFirst);
+        mSignatures = std::make_unique<HomologySignature>(mGraph.surface, mFirst);
         mLoops = mFirst.loops();
         chooseBasis();
         const std::size_t rootLimit = std::size_t(WorkLimit / mGraph.surface.halfEdgeCount());
@@ -114,7 +114,7 @@ private:
     const TreeCotree::Graph mGraph;
     const Progress &mProgress;
     const TreeCotree mFirst;
-    std::optional<HomologySignature> mSignatures;
+    std::unique_ptr<const HomologySignature> mSignatures;
     std::vector<EdgeLoop> mLoops; ///< the basis so far, shortest first
     std::vector<Bits> mBits;      ///< their signatures
 };

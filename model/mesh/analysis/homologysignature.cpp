@@ -2,7 +2,6 @@
 #include "model/mesh/analysis/homologysignature.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace model {
 
@@ -108,14 +107,14 @@ void HomologySignature::findCrossings()
     } while (h != 0);
     // Those met once between the ends of an edge.
     mCrossings.assign(count, zero());
-    std::vector<std::optional<Bits>> opened(count);
+    std::vector<Bits> opened(count); // empty before
     Bits met = zero();
     for (const std::uint32_t i : order) {
-        if (!opened[i]) {
+        if (opened[i].empty()) {
             flip(met, i);
             opened[i] = met;
         } else {
-            mCrossings[i] = *opened[i];
+            mCrossings[i] = opened[i];
             add(mCrossings[i], met);
             flip(met, i);
         }
