@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace model::terrain {
 
@@ -20,7 +21,8 @@ namespace {
 constexpr std::size_t SmallestForThreads = 16384;
 
 /// Triangles that have their turn together where the time is short: copied, swept eight times and written back in one
-/// or two milliseconds (sandreel-bench-stroke). Fewer would be a larger share of borders, where sliding stops for a while.
+/// or two milliseconds (sandreel-bench-stroke). Fewer would be a larger share of borders, where sliding stops for a
+/// while.
 constexpr std::size_t LotSize = 4096;
 /// In a round of many lots: what copying costs is worth some sweeps, and more would let the lots drift apart.
 constexpr double MostSweepsInTurn = 8;
@@ -162,11 +164,11 @@ std::vector<ActiveTriangle> Erosion::slide(TinEdit &edit, std::vector<ActiveTria
         Team::run(lead, isSmall ? 1 : threadCount());
         if (progress.isCancelled())
             return {};
-        statistics.movedVolume += patch.writeBack(edit);
+        statistics.movedVolume += patch.writeBack(edit, progress);
         if (mSettings.flatError > 0)
-            mReached.insert(mReached.end(), patch.ids().begin(), patch.ids().end());
+            noteReached(patch.ids());
         start.clear();
-        for (const auto &[triangle, isMoving] : patch.slidingTriangles(manner.rule))
+        for (const auto &[triangle, isMoving] : patch.slidingTriangles(manner.rule, progress))
             start.push_back({triangle, isMoving});
     }
     return start;
@@ -261,8 +263,11 @@ void Erosion::slideCoarsely(TinEdit &edit, std::span<const ActiveTriangle> steep
     const TinArrays &arrays = tin.arrays();
     const SlopeTable &slopes = slopesOf(arrays.totals.layers);
     Patch patch(tin, slopes, mSettings.material, mIds);
-    for (const ActiveTriangle &active : steep)
+    for (const ActiveTriangle &active : steep) {
+        if (progress.isCancelled())
+            return;
         patch.add(active.triangle);
+    }
     const double slope = patch.uniformSlope();
     if (!(slope > 0))
         return;
@@ -275,7 +280,7 @@ void Erosion::slideCoarsely(TinEdit &edit, std::span<const ActiveTriangle> steep
         bottom = std::min(bottom, v.z);
     }
     CompensatedSum volume;
-    for (VertexId v = 0; v < arrays.vertexSlots(); ++v)
+    for (VertexId v = 0; v < arrays.vertexSlots() && !progress.isCancelled(); ++v)
         if (bounds.contains(arrays.points[v]))
             volume.add(dualArea(arrays, v) * std::max(0.0, arrays.heights[v] - bottom));
     const double reach = std::cbrt(3 * volume.value() / (M_PI * slope));
@@ -297,17 +302,34 @@ void Erosion::slideCoarsely(TinEdit &edit, std::span<const ActiveTriangle> steep
     statistics.visits += count.visits;
     statistics.transfers += count.transfers;
     if (!progress.isCancelled())
-        statistics.movedVolume += patch.writeBack(edit);
+        statistics.movedVolume += patch.writeBack(edit, progress);
 }
 
 void Erosion::simplify(TinEdit &edit, const Progress &progress, ErosionStatistics &statistics)
 {
-    if (!(mSettings.flatError > 0) || mReached.empty())
+    if (!(mSettings.flatError > 0) || mReachedCount == 0)
         return;
-    std::sort(mReached.begin(), mReached.end());
-    mReached.erase(std::unique(mReached.begin(), mReached.end()), mReached.end());
-    statistics.removedVertices += removeRedundant(edit, mReached, mSettings.flatError, mSettings.flatAngle, progress);
-    mReached.clear();
+    statistics.removedVertices +=
+        removeRedundant(edit, takeReached(), mSettings.flatError, mSettings.flatAngle, progress);
+}
+
+void Erosion::noteReached(std::span<const VertexId> vertices)
+{
+    for (const VertexId v : vertices) {
+        mReached.resize(std::size_t(v) + 1);
+        mReachedCount += mReached.set(v);
+    }
+}
+
+/// Ascending; and forgets them.
+std::vector<VertexId> Erosion::takeReached()
+{
+    std::vector<VertexId> reached;
+    reached.reserve(std::exchange(mReachedCount, 0));
+    mReached.forEachSet([&](std::size_t v) { reached.push_back(VertexId(v)); });
+    for (const VertexId v : reached)
+        mReached.clear(v);
+    return reached;
 }
 
 Result<ErosionStatistics> Erosion::settle(TinEdit &edit, const Progress &progress)
@@ -337,7 +359,7 @@ Result<ErosionStatistics> Erosion::settle(TinEdit &edit, const Progress &progres
         hasMoved = statistics.transfers != before;
         if (isFirst && !progress.isCancelled())
             simplify(edit, progress, statistics);
-        mReached.clear();
+        takeReached();
     }
     mActive.clear();
     mRoundLeft = 0;

@@ -93,6 +93,8 @@ private:
     void slideCoarsely(TinEdit &edit, std::span<const ActiveTriangle> steep, const Progress &progress,
                        ErosionStatistics &statistics);
     std::vector<ActiveTriangle> steepTriangles(const Tin &tin, const Progress &progress);
+    void noteReached(std::span<const VertexId> vertices);
+    std::vector<VertexId> takeReached();
     void simplify(TinEdit &edit, const Progress &progress, ErosionStatistics &statistics);
 
     ErosionSettings mSettings;
@@ -102,8 +104,9 @@ private:
     std::size_t mRoundLeft = 0; ///< entries of the list that have not had their turn in this round ...
     double mRoundSweeps = 0;    ///< ... in which each is swept that often
     std::optional<SlopeTable> mSlopes;
-    LayerTable mSlopesOf;           ///< the layers that mSlopes was made for
-    std::vector<VertexId> mReached; ///< what slid since the last simplify()
+    LayerTable mSlopesOf; ///< the layers that mSlopes was made for
+    SlotMarks mReached;   ///< vertices that slid since the last simplify()
+    std::size_t mReachedCount = 0;
     Patch::Ids mIds;
 };
 

@@ -239,7 +239,8 @@ void Patch::sweepGrid(int grid, Team &team, const SweepRule &rule, const Progres
         count.add(std::exchange(list.count, {}));
     }
     for (const std::size_t cell : dirty)
-        grow(mLists[grid][cell]);
+        if (!progress.isCancelled())
+            grow(mLists[grid][cell]);
 }
 
 SweepCount Patch::sweep(Team &team, const SweepRule &rule, const Progress &progress)
@@ -279,10 +280,10 @@ void Patch::wake()
             list.isDirty = !list.triangles.empty();
 }
 
-double Patch::writeBack(TinEdit &edit) const
+double Patch::writeBack(TinEdit &edit, const Progress &progress) const
 {
     CompensatedSum moved;
-    for (std::size_t i = 0; i < mIds.size(); ++i) {
+    for (std::size_t i = 0; i < mIds.size() && !progress.isCancelled(); ++i) {
         const TinArrays &tin = mTin->arrays();
         const VertexId v = mIds[i];
         const double z = mVertices[i].z, before = tin.heights[v];
@@ -307,12 +308,12 @@ double Patch::writeBack(TinEdit &edit) const
     return moved.value();
 }
 
-std::vector<std::pair<TriangleId, bool>> Patch::slidingTriangles(const SweepRule &rule)
+std::vector<std::pair<TriangleId, bool>> Patch::slidingTriangles(const SweepRule &rule, const Progress &progress)
 {
     std::vector<std::pair<TriangleId, bool>> sliding;
     const Slider slider(*this, rule);
     const auto collect = [&](const List &list) {
-        if (list.isDirty)
+        if (list.isDirty && !progress.isCancelled())
             for (const PatchTriangle &triangle : list.triangles)
                 if (slider.isSliding(triangle))
                     sliding.push_back({triangle.id(), triangle.isMoving()});

@@ -111,10 +111,11 @@ public:
     /// Has all triangles looked at again: the rule changes.
     void wake();
 
-    /// Writes heights and layers of the vertices that moved. Returns the volume that did.
-    double writeBack(TinEdit &edit) const;
-    /// The triangles that are steeper than the rule allows, or on their way.
-    std::vector<std::pair<TriangleId, bool>> slidingTriangles(const SweepRule &rule);
+    /// Writes heights and layers of the vertices that moved. Returns the volume that did. Cancelled, it stops
+    /// somewhere.
+    double writeBack(TinEdit &edit, const Progress &progress) const;
+    /// The triangles that are steeper than the rule allows, or on their way. Cancelled, some of them.
+    std::vector<std::pair<TriangleId, bool>> slidingTriangles(const SweepRule &rule, const Progress &progress);
 
     /// The one critical angle (its tangent) if all material is alike, else 0.
     double uniformSlope() const { return mMode == Mode::Layered ? 0 : mSlope; }

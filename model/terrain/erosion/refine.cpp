@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/erosion/refine.h"
 
+#include "model/terrain/tin/slotmap.h"
+
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace model::terrain {
 
@@ -41,19 +42,18 @@ public:
         double bound = deviation(v);
         double before = 0;
         for (const TriangleId t : mStar)
-            if (const auto found = mBounds.find(t); found != mBounds.end())
-                before = std::max(before, found->second);
+            if (const double *const found = mBounds.find(t))
+                before = std::max(before, *found);
         bound += before;
         if (!(bound <= mTolerance))
             return false;
         mEdit.remove(v);
         // The hole is filled with triangles that were there, and flips do not leave it.
-        for (const TriangleId t : mStar) {
-            if (mTin.isTriangle(t))
-                mBounds[t] = bound;
-            else
-                mBounds.erase(t);
-        }
+        for (const TriangleId t : mStar)
+            if (mTin.isTriangle(t)) {
+                mBounds.set(t, bound);
+                mChanged.push_back(t);
+            }
         return true;
     }
 
@@ -61,9 +61,10 @@ public:
     std::vector<VertexId> changed() const
     {
         std::vector<VertexId> vertices;
-        for (const auto &[t, bound] : mBounds)
-            for (Corner c = cornerOf(t, 0); c <= cornerOf(t, 2); ++c)
-                vertices.push_back(mTin.vertex(c));
+        for (const TriangleId t : mChanged)
+            if (mTin.isTriangle(t)) // not gone with a later vertex
+                for (Corner c = cornerOf(t, 0); c <= cornerOf(t, 2); ++c)
+                    vertices.push_back(mTin.vertex(c));
         std::sort(vertices.begin(), vertices.end());
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
         return vertices;
@@ -123,7 +124,8 @@ private:
     const double mFlat; ///< cosine
     std::vector<TriangleId> mStar;
     Gradient mMean;
-    std::unordered_map<TriangleId, double> mBounds; ///< what removals did to a triangle, at most
+    SlotMap<double> mBounds; ///< what removals did to a triangle, at most
+    std::vector<TriangleId> mChanged;
 };
 
 } // namespace
@@ -169,7 +171,7 @@ std::uint32_t removeRedundant(TinEdit &edit, std::span<const VertexId> candidate
     std::uint32_t removed = 0;
     for (const VertexId v : candidates) {
         if (progress.isCancelled())
-            break;
+            return removed;
         removed += removal.remove(v);
     }
     if (removed > 0)

@@ -31,7 +31,7 @@ bool hasLongEdge(const TinArrays &tin, TriangleId t, double longest);
 /// and it is added to what earlier removals did to the same triangles. The other half is for giving the volume back:
 /// the mean change over the area that changed is not more than the largest one.
 /// \param candidates  may name vertices that cannot be removed, or are none
-/// \param progress    asked only whether to stop; what went until then is accounted for
+/// \param progress    asked only whether to stop; the volume is not given back then, and the edit is to be rolled back
 /// Source: the angle is that of V. Purchart, 2009, which gives no bound; the bound is derived here.
 std::uint32_t removeRedundant(TinEdit &edit, std::span<const VertexId> candidates, double error, double flatAngle,
                               const Progress &progress = Progress());

@@ -30,17 +30,10 @@ public:
     /// Unless the slot has a value already.
     void emplace(std::uint32_t slot, const T &value)
     {
-        const std::size_t p = slot / PageSize;
-        if (p >= mPages.size())
-            mPages.resize(p + 1);
-        if (!mPages[p])
-            mPages[p].reset(new Page); // values are not initialised
-        Page &page = *mPages[p];
-        if (page.isThere[slot % PageSize])
-            return;
-        page.isThere[slot % PageSize] = true;
-        page.values[slot % PageSize] = value;
+        if (Page &page = pageOf(slot); !page.isThere[slot % PageSize])
+            page.set(slot % PageSize, value);
     }
+    void set(std::uint32_t slot, const T &value) { pageOf(slot).set(slot % PageSize, value); }
 
 private:
     static constexpr std::size_t PageSize = 256;
@@ -48,7 +41,23 @@ private:
     {
         std::bitset<PageSize> isThere;
         std::array<T, PageSize> values;
+
+        void set(std::size_t i, const T &value)
+        {
+            isThere[i] = true;
+            values[i] = value;
+        }
     };
+    Page &pageOf(std::uint32_t slot)
+    {
+        const std::size_t p = slot / PageSize;
+        if (p >= mPages.size())
+            mPages.resize(p + 1);
+        if (!mPages[p])
+            mPages[p].reset(new Page); // values are not initialised
+        return *mPages[p];
+    }
+
     std::vector<std::unique_ptr<Page>> mPages;
 };
 

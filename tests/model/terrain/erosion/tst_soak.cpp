@@ -73,6 +73,9 @@ private slots:
                 QVERIFY2(valid, valid ? "" : valid.error().args[0].c_str());
                 QVERIFY(std::abs(tin.volume() - tin.ledger().expected()) < 1e-10);
             }
+            if (rounds % 4096 == 4095)
+                qInfo("%llu rounds, %llu transfers, %llu vertices removed", (unsigned long long)rounds + 1,
+                      (unsigned long long)transfers, (unsigned long long)removed);
         }
         QVERIFY(validate(tin));
         QVERIFY(std::abs(tin.volume() - tin.ledger().expected()) < 1e-10);
