@@ -3,7 +3,7 @@
 
 #include "app/cli/outputs.h"
 #include "model/io/terrain/newterrain.h"
-#include "model/terrain/tin/restoretin.h"
+#include "model/terrain/tin/build/restoretin.h"
 #include "model/terrain/tin/validate.h"
 
 #include <QFileInfo>

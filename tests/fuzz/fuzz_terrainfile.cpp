@@ -3,9 +3,9 @@
 // `terrain/surface`, and as the tail of a recovery journal.
 #include "model/io/terrain/recovery.h"
 #include "model/io/terrain/terrainfile.h"
-#include "model/io/terrain/tilecodec.h"
+#include "model/io/terrain/tiles/tilecodec.h"
 #include "model/io/terrain/zipfile.h"
-#include "model/terrain/tin/restoretin.h"
+#include "model/terrain/tin/build/restoretin.h"
 #include "model/terrain/tin/validate.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scarcity.h"

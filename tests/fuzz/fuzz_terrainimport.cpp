@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Our own importers of terrains: points, RAW, and meshes as surfaces. Input: a byte that says which, the file.
 #include "model/io/meshfile.h"
-#include "model/io/terrain/pointsreader.h"
-#include "model/io/terrain/rawraster.h"
-#include "model/io/terrain/surfacemesh.h"
+#include "model/io/terrain/meshes/pointsreader.h"
+#include "model/io/terrain/meshes/surfacemesh.h"
+#include "model/io/terrain/rasters/rawraster.h"
 #include "model/terrain/simplify/simplifygrid.h"
 #include "model/terrain/simplify/simplifytin.h"
 #include "model/terrain/tin/validate.h"

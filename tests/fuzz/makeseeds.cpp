@@ -10,7 +10,7 @@
 
 #include "model/codec/animationcodec.h"
 #include "model/io/terrain/terrainfile.h"
-#include "model/io/terrain/tilecodec.h"
+#include "model/io/terrain/tiles/tilecodec.h"
 #include "model/terrain/tin/tinedit.h"
 
 #include <filesystem>

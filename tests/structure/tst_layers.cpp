@@ -100,9 +100,9 @@ private slots:
             {"assimp/", "model/io/"},
             {"Eigen/", "model/codec/|model/mesh/editing/fairing.cpp"},
             {"CLI/", "app/"},
-            {"gdal", "model/io/terrain/gdalraster.cpp"},
-            {"ogr_", "model/io/terrain/gdalraster.cpp"},
-            {"cpl_", "model/io/terrain/gdalraster.cpp"},
+            {"gdal", "model/io/terrain/rasters/gdalraster.cpp"},
+            {"ogr_", "model/io/terrain/rasters/gdalraster.cpp"},
+            {"cpl_", "model/io/terrain/rasters/gdalraster.cpp"},
             {"zip.h", "model/io/terrain/zipfile.cpp"},
             {"CGAL/", "model/terrain/tin/exactpredicates.cpp|model/mesh/analysis/trianglepredicates.cpp|"
                       "model/mesh/editing/cgal"},

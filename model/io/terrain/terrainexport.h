@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/io/terrain/raster.h"
+#include "model/io/terrain/rasters/raster.h"
 
 namespace model::io {
 

@@ -8,8 +8,8 @@
 #include "model/io/savefile.h"
 #include "model/io/terrain/ledgerfields.h"
 #include "model/io/terrain/materialjson.h"
-#include "model/io/terrain/packing.h"
-#include "model/io/terrain/tilecodec.h"
+#include "model/io/terrain/tiles/packing.h"
+#include "model/io/terrain/tiles/tilecodec.h"
 #include "model/io/terrain/zipfile.h"
 
 #include <QJsonArray>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/terrain/terrainscript.h"
 
-#include "model/io/terrain/scripttools.h"
+#include "model/io/terrain/script/scripttools.h"
 #include "model/terrain/simplify/simplifytin.h"
 
 #include <QJsonDocument>

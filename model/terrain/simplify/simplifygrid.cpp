@@ -3,9 +3,9 @@
 // 1995. Differs: borders of voids are constrained; triangles are scanned by rows in integers.
 #include "model/terrain/simplify/simplifygrid.h"
 
-#include "model/terrain/tin/constraintlists.h"
+#include "model/terrain/tin/build/restoretin.h"
+#include "model/terrain/tin/constraints/constraintlists.h"
 #include "model/terrain/tin/locate.h"
-#include "model/terrain/tin/restoretin.h"
 #include "model/terrain/tin/surface.h"
 #include "model/terrain/tin/tinedit.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/simplify/simplifytin.h"
 
+#include "model/terrain/tin/build/restoretin.h"
 #include "model/terrain/tin/predicates.h"
-#include "model/terrain/tin/restoretin.h"
 #include "model/terrain/tin/tinedit.h"
 
 #include <algorithm>

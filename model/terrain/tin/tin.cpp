@@ -3,7 +3,7 @@
 
 #include "model/base/digest.h"
 #include "model/base/parallel.h"
-#include "model/terrain/tin/constraintlists.h"
+#include "model/terrain/tin/constraints/constraintlists.h"
 #include "model/terrain/tin/tinwriter.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/tin/tinedit.h"
 
-#include "model/terrain/tin/constraintlists.h"
-#include "model/terrain/tin/removal.h"
-#include "model/terrain/tin/ringremoval.h"
+#include "model/terrain/tin/constraints/constraintlists.h"
+#include "model/terrain/tin/removal/removal.h"
+#include "model/terrain/tin/removal/ringremoval.h"
 
 #include <algorithm>
 #include <cassert>

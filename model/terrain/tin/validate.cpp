@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/tin/validate.h"
 
-#include "model/terrain/tin/constraintlists.h"
+#include "model/terrain/tin/constraints/constraintlists.h"
 #include "model/terrain/tin/predicates.h"
 #include "model/terrain/tin/tinwriter.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/terrain/tin/constraintlists.h"
+#include "model/terrain/tin/constraints/constraintlists.h"
 #include "model/terrain/tools/imprint.h"
 
 // What the files of ImprintStroke share.

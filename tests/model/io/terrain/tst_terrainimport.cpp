@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/io/terrain/pointsreader.h"
+#include "model/io/terrain/meshes/pointsreader.h"
 #include "model/io/terrain/terrainimport.h"
 #include "model/terrain/tin/validate.h"
 #include "tests/model/io/terrain/terrains.h"
