@@ -85,7 +85,8 @@ Result<void> ProgressiveReader::read(std::span<const std::uint8_t> piece, const 
         return taken;
     if (!header())
         return {};
-    if (std::ranges::find(availableCodecs(), CodecId(header()->codec)) == availableCodecs().end())
+    const std::span<const CodecId> codecs = availableCodecs();
+    if (std::find(codecs.begin(), codecs.end(), CodecId(header()->codec)) == codecs.end())
         return fail(
             Error{ErrorCode::UnknownCodec, {std::to_string(header()->codec)}, {}, Error::None, mFile.chunk(0).offset});
     if (isReel()) {
@@ -109,7 +110,7 @@ Result<void> ProgressiveReader::sortChunks()
 {
     for (; mSorted < mFile.chunkCount(); ++mSorted) {
         const Chunk chunk = mFile.chunk(mSorted);
-        const auto tag = std::ranges::find(PartTags, chunk.tag);
+        const auto tag = std::find(PartTags.begin(), PartTags.end(), chunk.tag);
         if (tag == PartTags.end())
             continue;
         std::optional<std::size_t> &part = mParts[std::size_t(tag - PartTags.begin())];

@@ -62,7 +62,7 @@ double bitsOf(const MatrixXd &moment, double vertices, double rows, double step)
 std::vector<Group> candidates(const MatrixXd &coefficients, std::span<const std::uint32_t> components,
                               const Progress &progress)
 {
-    const std::size_t count = components.empty() ? 0 : 1 + *std::ranges::max_element(components);
+    const std::size_t count = components.empty() ? 0 : 1 + *std::max_element(components.begin(), components.end());
     std::vector<std::vector<Index>> columns(count);
     Eigen::VectorXd energies = Eigen::VectorXd::Zero(Index(count));
     for (std::size_t v = 0; v < components.size(); ++v) {
@@ -71,7 +71,8 @@ std::vector<Group> candidates(const MatrixXd &coefficients, std::span<const std:
     }
     std::vector<std::uint32_t> order(count);
     std::iota(order.begin(), order.end(), 0u);
-    std::ranges::stable_sort(order, std::greater(), [&](std::uint32_t c) { return energies[c]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return energies[a] > energies[b]; });
 
     std::vector<Group> groups;
     for (const std::uint32_t component : order) {
@@ -89,7 +90,8 @@ std::vector<Group> candidates(const MatrixXd &coefficients, std::span<const std:
         const auto alike = [&](const Group &group) {
             return group.moment.cwiseProduct(moment).sum() / std::max(group.moment.norm(), 1e-300);
         };
-        Group &host = *std::ranges::max_element(groups, std::less(), alike);
+        Group &host = *std::max_element(groups.begin(), groups.end(),
+                                        [&](const Group &a, const Group &b) { return alike(a) < alike(b); });
         host.moment += moment;
         host.vertices += vertices;
         host.components.push_back(component);

@@ -174,7 +174,7 @@ Result<void> ReelDecoder::readOrder(const Chunk &chunk)
 Result<void> ReelDecoder::readClusters(const Chunk &chunk, const std::optional<Chunk> &next)
 {
     const std::vector<std::uint32_t> components = componentsOf(*mVertices);
-    const std::size_t count = components.empty() ? 0 : 1 + *std::ranges::max_element(components);
+    const std::size_t count = components.empty() ? 0 : 1 + *std::max_element(components.begin(), components.end());
     RangeDecoder coder(chunk.payload);
     if (!codeClusters(coder, mClusters, count) || !coder.isAtEnd() || hasShape() ||
         (next && next->offset < chunk.offset))
