@@ -7,6 +7,10 @@ build_packages=(build-essential cmake ninja-build ccache mold pkg-config
   libcgal-dev libvtk9-dev libeigen3-dev libassimp-dev libgdal-dev libzip-dev zlib1g-dev libexpected-dev libcli11-dev fonts-dejavu-core qt6-translations-l10n)
 # What a machine without a display needs on top, to draw into a virtual one.
 virtual_display_packages=(xvfb xauth libgl1-mesa-dri)
+# The player page: its decoder is WebAssembly. Node.js is asked for by its commands, as it often comes from elsewhere.
+web_packages=(clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32)
+command -v node >/dev/null || web_packages+=(nodejs)
+command -v npm >/dev/null || web_packages+=(npm)
 
 say() { printf '%s\n' "== $*" >&2; }
 
@@ -43,6 +47,20 @@ build() {
   fi
   cmake --build --preset "$preset" --parallel "$(nproc)" ${1:+--target "$@"} >&2
   say "Built ($preset) in $((SECONDS - begin)) s"
+}
+
+# The page that sandreel-cli export-player copies, in build/web/player.
+build_player() {
+  local begin=$SECONDS
+  build web decoder || return 1
+  say "Building the player page"
+  if ! (cd app/web && { [ node_modules/.package-lock.json -nt package-lock.json ] || npm ci --no-progress >&2; }); then
+    say "npm could not install what app/web/package-lock.json names. Without a network, fill npm's cache before."
+    return 1
+  fi
+  (cd app/web && node node_modules/typescript/bin/tsc --noEmit &&
+    node build.mjs ../../build/web/decoder.wasm ../../build/web/player) >&2 || return 1
+  say "Built the player page in $((SECONDS - begin)) s"
 }
 
 has_display() { [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; }
