@@ -22,6 +22,7 @@ void addDecode(CLI::App &app, Run &run);
 void addInfo(CLI::App &app, Run &run);
 void addCompare(CLI::App &app, Run &run);
 void addRender(CLI::App &app, Run &run);
+void addExportPlayer(CLI::App &app, Run &run);
 void addTerrain(CLI::App &app, Run &run);
 
 /// How an input is named on the command line; the same words in every sub-command.

@@ -61,6 +61,7 @@ int main(int argc, char **argv)
     cli::addInfo(app, run);
     cli::addCompare(app, run);
     cli::addRender(app, run);
+    cli::addExportPlayer(app, run);
     cli::addTerrain(app, run);
 
     try {
