@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/start/settings.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QEvent>
 #include <QFileInfo>
+#include <QPointer>
 #include <QSettings>
+#include <QThreadPool>
 
 namespace editor {
 
@@ -24,31 +28,54 @@ const std::pair<Theme, QLatin1String> ThemeNames[] = {
     {Theme::Dark, QLatin1String("dark")},
 };
 
+/// Writes to the disk in another thread: it waits until the bytes are safe, which on a slow disk takes long.
+class QuickSettings final : public QSettings
+{
+public:
+    using QSettings::QSettings;
+
+protected:
+    bool event(QEvent *event) override
+    {
+        if (event->type() != QEvent::UpdateRequest) // asked for by a change
+            return QSettings::event(event);
+        // All instances of a file share what is not written yet; the destructor writes what this came too late for.
+        QThreadPool::globalInstance()->start([] { QSettings().sync(); });
+        return true;
+    }
+};
+
+QSettings &store()
+{
+    static const QPointer<QSettings> settings = new QuickSettings(QCoreApplication::instance());
+    return *settings;
+}
+
 } // namespace
 
 QByteArray Settings::windowGeometry() const
 {
-    return QSettings().value(GeometryKey).toByteArray();
+    return store().value(GeometryKey).toByteArray();
 }
 
 void Settings::setWindowGeometry(const QByteArray &geometry)
 {
-    QSettings().setValue(GeometryKey, geometry);
+    store().setValue(GeometryKey, geometry);
 }
 
 QByteArray Settings::windowState(const QString &name) const
 {
-    return QSettings().value(StateGroup + name).toByteArray();
+    return store().value(StateGroup + name).toByteArray();
 }
 
 void Settings::setWindowState(const QString &name, const QByteArray &state)
 {
-    QSettings().setValue(StateGroup + name, state);
+    store().setValue(StateGroup + name, state);
 }
 
 Theme Settings::theme() const
 {
-    const QString stored = QSettings().value(ThemeKey).toString();
+    const QString stored = store().value(ThemeKey).toString();
     for (const auto &[theme, name] : ThemeNames)
         if (stored == name)
             return theme;
@@ -59,34 +86,34 @@ void Settings::setTheme(Theme theme)
 {
     for (const auto &[known, name] : ThemeNames)
         if (known == theme)
-            QSettings().setValue(ThemeKey, QString(name));
+            store().setValue(ThemeKey, QString(name));
 }
 
 QString Settings::language() const
 {
-    return QSettings().value(LanguageKey).toString();
+    return store().value(LanguageKey).toString();
 }
 
 void Settings::setLanguage(const QString &code)
 {
-    QSettings().setValue(LanguageKey, code);
+    store().setValue(LanguageKey, code);
 }
 
 QString Settings::lastFolder() const
 {
-    const QString stored = QSettings().value(LastFolderKey).toString();
+    const QString stored = store().value(LastFolderKey).toString();
     return !stored.isEmpty() && QFileInfo(stored).isDir() ? stored : QDir::homePath();
 }
 
 void Settings::setLastFolder(const QString &folder)
 {
-    QSettings().setValue(LastFolderKey, folder);
+    store().setValue(LastFolderKey, folder);
 }
 
 QStringList Settings::recentFiles() const
 {
     QStringList result;
-    const QStringList stored = QSettings().value(RecentKey).toStringList();
+    const QStringList stored = store().value(RecentKey).toStringList();
     for (const QString &path : stored)
         if (QFileInfo(path).isAbsolute() && !result.contains(path) && result.size() < MaxRecentFiles)
             result << path;
@@ -98,24 +125,24 @@ void Settings::addRecentFile(const QString &path)
     QStringList files = recentFiles();
     files.removeAll(path);
     files.prepend(path);
-    QSettings().setValue(RecentKey, files.mid(0, MaxRecentFiles));
+    store().setValue(RecentKey, files.mid(0, MaxRecentFiles));
 }
 
 void Settings::removeRecentFile(const QString &path)
 {
     QStringList files = recentFiles();
     files.removeAll(path);
-    QSettings().setValue(RecentKey, files);
+    store().setValue(RecentKey, files);
 }
 
 void Settings::clearRecentFiles()
 {
-    QSettings().remove(RecentKey);
+    store().remove(RecentKey);
 }
 
 std::optional<QList<QKeySequence>> Settings::shortcuts(const QString &actionKey) const
 {
-    const QVariant stored = QSettings().value(ShortcutsGroup + actionKey);
+    const QVariant stored = store().value(ShortcutsGroup + actionKey);
     if (!stored.isValid())
         return std::nullopt;
     QList<QKeySequence> result;
@@ -129,20 +156,20 @@ std::optional<QList<QKeySequence>> Settings::shortcuts(const QString &actionKey)
 void Settings::setShortcuts(const QString &actionKey, const std::optional<QList<QKeySequence>> &shortcuts)
 {
     if (shortcuts)
-        QSettings().setValue(ShortcutsGroup + actionKey,
-                             QKeySequence::listToString(*shortcuts, QKeySequence::PortableText));
+        store().setValue(ShortcutsGroup + actionKey,
+                         QKeySequence::listToString(*shortcuts, QKeySequence::PortableText));
     else
-        QSettings().remove(ShortcutsGroup + actionKey);
+        store().remove(ShortcutsGroup + actionKey);
 }
 
 bool Settings::statisticsVisible() const
 {
-    return QSettings().value(StatisticsKey, true).toBool();
+    return store().value(StatisticsKey, true).toBool();
 }
 
 void Settings::setStatisticsVisible(bool visible)
 {
-    QSettings().setValue(StatisticsKey, visible);
+    store().setValue(StatisticsKey, visible);
 }
 
 } // namespace editor
