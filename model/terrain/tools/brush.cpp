@@ -75,7 +75,7 @@ double slopeAt(const TinArrays &tin, VertexId v)
 
 bool Mask::isEverywhere() const
 {
-    return lowestSlope <= 0 && highestSlope >= 90 && lowestHeight == -NoLimit && highestHeight == NoLimit;
+    return lowestSlope <= 0 && highestSlope >= 90 && lowestHeight == -NoLimit && highestHeight == NoLimit && !paint;
 }
 
 double Mask::weightOf(double slope, double height) const
@@ -96,8 +96,11 @@ double Mask::weightAt(const TinArrays &tin, VertexId v) const
 {
     if (isEverywhere())
         return 1;
+    const double open = openAt(tin.points[v]);
+    if (open == 0)
+        return 0;
     const bool isSlopeAsked = lowestSlope > 0 || highestSlope < 90;
-    return weightOf(isSlopeAsked ? slopeAt(tin, v) : 0, tin.heights[v]);
+    return open * weightOf(isSlopeAsked ? slopeAt(tin, v) : 0, tin.heights[v]);
 }
 
 Result<void> Mask::check() const
@@ -128,7 +131,8 @@ Result<void> Brush::check() const
     return detail == 0 ? Result<void>() : checkSetting("detail", detail, 0.01, 1);
 }
 
-void refineDisc(TinEdit &edit, Point2 centre, double radius, double spacing, ToolMemory &memory)
+void refineDisc(TinEdit &edit, Point2 centre, double radius, double spacing, ToolMemory &memory,
+                const PaintMask *closed)
 {
     const TinArrays &tin = edit.tin().arrays();
     const Rectangle &domain = edit.tin().domain();
@@ -146,7 +150,7 @@ void refineDisc(TinEdit &edit, Point2 centre, double radius, double spacing, Too
         const double left = std::max(centre.x - half, domain.low.x), right = std::min(centre.x + half, domain.high.x);
         for (double column = std::ceil((left - shift) / spacing); column * spacing + shift <= right; ++column) {
             const Point2 p{column * spacing + shift, y};
-            if (!domain.contains(p))
+            if (!domain.contains(p) || (closed && closed->at(p) == 1))
                 continue;
             const TriangleId t = edit.tin().triangleAt(p, near);
             near = tin.vertex(cornerOf(t, 0));
@@ -171,7 +175,8 @@ void gather(TinEdit &edit, const Brush &brush, const StampPose &pose, ToolMemory
         return;
     if (brush.detail > 0)
         // And one row beyond: the shape ends at the rim, and not at whatever vertex comes next.
-        refineDisc(edit, pose.at, radius + brush.detail * brush.radius, brush.detail * brush.radius, memory);
+        refineDisc(edit, pose.at, radius + brush.detail * brush.radius, brush.detail * brush.radius, memory,
+                   brush.mask.paint.get());
     memory.disc.search(edit.tin(), pose.at, radius);
     for (const VertexId v : memory.disc.vertices()) {
         const double t = std::sqrt(squaredDistance(tin.points[v], pose.at)) / radius;

@@ -3,9 +3,11 @@
 
 #include "model/terrain/tin/disc.h"
 #include "model/terrain/tin/tinedit.h"
+#include "model/terrain/tools/paintmask.h"
 #include "model/terrain/tools/strokepath.h"
 
 #include <limits>
+#include <memory>
 
 namespace model::terrain {
 
@@ -21,7 +23,8 @@ enum class Falloff : std::uint8_t {
 /// 1 at the centre, where `t` is 0, and for all but Constant 0 at the rim, where it is 1; 0 beyond.
 double weightOf(Falloff falloff, double t);
 
-/// Where a tool works: between two slopes and between two heights, and half as much half a blend outside.
+/// Where a tool works: between two slopes and between two heights, and half as much half a blend outside; and where
+/// nobody painted.
 struct Mask
 {
     static constexpr double NoLimit = std::numeric_limits<double>::infinity();
@@ -30,10 +33,14 @@ struct Mask
     double slopeBlend = 0;                     ///< degrees over which the mask ends
     double lowestHeight = -NoLimit, highestHeight = NoLimit;
     double heightBlend = 0; ///< metres
+    /// What is painted as protected is left alone, whatever its slope and height; null: nothing is.
+    std::shared_ptr<const PaintMask> paint = nullptr;
 
     bool isEverywhere() const;
-    /// 0 ... 1
+    /// 0 ... 1, without what is painted.
     double weightOf(double slope, double height) const;
+    /// How far what is painted leaves a place open: 0 ... 1.
+    double openAt(Point2 p) const { return paint ? 1 - paint->at(p) : 1; }
     double weightAt(const TinArrays &tin, VertexId v) const;
     /// \error BadSetting  a limit that is no number, or a blend below 0
     Result<void> check() const;
@@ -88,7 +95,9 @@ public:
 
 /// Adds vertices to the disc until none is much farther from its neighbours than `spacing`. They lie on a lattice that
 /// is the same for the whole plane: where a stroke passed, the next one adds nothing. The volume stays.
-void refineDisc(TinEdit &edit, Point2 centre, double radius, double spacing, ToolMemory &memory);
+/// \param closed  where none is added, if there is one: all that is fully protected
+void refineDisc(TinEdit &edit, Point2 centre, double radius, double spacing, ToolMemory &memory,
+                const PaintMask *closed = nullptr);
 
 /// The vertices under a brush, refined first, with weights of falloff, mask and pressure; in `memory.brushed`.
 void gather(TinEdit &edit, const Brush &brush, const StampPose &pose, ToolMemory &memory);

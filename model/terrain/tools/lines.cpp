@@ -98,7 +98,7 @@ void stamp(TinEdit &edit, const Rake &tool, const StampPose &pose, ToolMemory &m
     const TinArrays &tin = edit.tin().arrays();
     const double pitch = tool.width / tool.tines;
     const double reach = std::hypot(tool.width, pitch) / 2;
-    refineDisc(edit, pose.at, reach, RakeDetail * pitch, memory);
+    refineDisc(edit, pose.at, reach, RakeDetail * pitch, memory, tool.mask.paint.get());
     memory.disc.search(edit.tin(), pose.at, reach);
     memory.brushed.clear();
     const Point2 across{-pose.direction.y, pose.direction.x};
@@ -152,7 +152,8 @@ void makeRamp(TinEdit &edit, const Ramp &tool, Point2 from, Point2 to, double pr
             const double t = steps > 0 ? double(i) / steps : 0;
             const Point2 centre{from.x + t * d.x, from.y + t * d.y};
             if (isRefining && tool.brush.detail > 0)
-                refineDisc(edit, centre, radius, tool.brush.detail * tool.brush.radius, memory);
+                refineDisc(edit, centre, radius, tool.brush.detail * tool.brush.radius, memory,
+                           tool.brush.mask.paint.get());
             if (isRefining)
                 continue;
             memory.disc.search(edit.tin(), centre, radius * 1.05); // discs half a radius apart leave no gap

@@ -127,7 +127,7 @@ bool LiveStroke::isMaskedOut(const Mask &mask, Point2 p) const
 {
     if (mask.isEverywhere())
         return false;
-    return mask.weightOf(mGround.slopeAt(inDomain(p)), mGround.heightAt(inDomain(p))) <= 0.5;
+    return mask.openAt(p) * mask.weightOf(mGround.slopeAt(inDomain(p)), mGround.heightAt(inDomain(p))) <= 0.5;
 }
 
 /// Copies that lie upon each other are stamped once.

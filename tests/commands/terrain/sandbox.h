@@ -13,6 +13,12 @@ namespace tests {
 
 using namespace model::terrain;
 
+/// How high the sandbox is, where it has a vertex.
+inline double sandboxHeight(Point2 p)
+{
+    return 1 + 0.1 * std::sin(9 * p.x) * std::cos(7 * p.y);
+}
+
 /// A wavy square of sand on rock, with a second material that no layer is made of.
 inline Terrain sandbox(std::size_t count = 800, unsigned seed = 3)
 {
@@ -21,7 +27,7 @@ inline Terrain sandbox(std::size_t count = 800, unsigned seed = 3)
     std::vector<Point3> points(count);
     for (Point3 &p : points) {
         p = {unit(), unit(), 0};
-        p.z = 1 + 0.1 * std::sin(9 * p.x) * std::cos(7 * p.y);
+        p.z = sandboxHeight({p.x, p.y});
     }
     Terrain terrain(std::move(buildTin(points, {{0, 0}, {1, 1}})->tin));
     terrain.materials = {material(MaterialPreset::DrySand), material(MaterialPreset::Gravel)};
