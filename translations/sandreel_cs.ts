@@ -511,6 +511,174 @@
         <source>A bump map with its contrast stretched, instead of sand as it looks outside</source>
         <translation>Hrbolatá mapa s roztaženým kontrastem místo písku, jak vypadá venku</translation>
     </message>
+    <message>
+        <source>&amp;Terrain</source>
+        <translation>&amp;Terén</translation>
+    </message>
+    <message>
+        <source>&amp;Tool</source>
+        <translation>&amp;Nástroj</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry</source>
+        <translation>&amp;Souměrnost</translation>
+    </message>
+    <message>
+        <source>Colour by Cut &amp;and Fill</source>
+        <translation>Barvit podle &amp;výkopů a násypů</translation>
+    </message>
+    <message>
+        <source>Colour the ground by how much lower or higher it is than the reference: when it was opened or saved, or the moment that was taken</source>
+        <translation>Obarvit povrch podle toho, o kolik je níž nebo výš než vzor: při otevření či uložení, nebo v převzatém okamžiku</translation>
+    </message>
+    <message>
+        <source>Colour by Mas&amp;k</source>
+        <translation>Barvit podle mas&amp;ky</translation>
+    </message>
+    <message>
+        <source>Colour the ground by how far it is protected from tools</source>
+        <translation>Obarvit povrch podle toho, nakolik je chráněn před nástroji</translation>
+    </message>
+    <message>
+        <source>Acti&amp;ve Triangles</source>
+        <translation>&amp;Aktivní trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Mark the triangles that may still slide</source>
+        <translation>Vyznačit trojúhelníky, které se ještě mohou sesunout</translation>
+    </message>
+    <message>
+        <source>&amp;Bigger Tool</source>
+        <translation>&amp;Větší nástroj</translation>
+    </message>
+    <message>
+        <source>Make the tool a tenth wider</source>
+        <translation>Rozšířit nástroj o desetinu</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Tool</source>
+        <translation>&amp;Menší nástroj</translation>
+    </message>
+    <message>
+        <source>Make the tool a tenth narrower</source>
+        <translation>Zúžit nástroj o desetinu</translation>
+    </message>
+    <message>
+        <source>St&amp;ronger Tool</source>
+        <translation>S&amp;ilnější nástroj</translation>
+    </message>
+    <message>
+        <source>Let each stamp do a quarter more</source>
+        <translation>Každý otisk udělá o čtvrtinu víc</translation>
+    </message>
+    <message>
+        <source>&amp;Weaker Tool</source>
+        <translation>S&amp;labší nástroj</translation>
+    </message>
+    <message>
+        <source>Let each stamp do a fifth less</source>
+        <translation>Každý otisk udělá o pětinu míň</translation>
+    </message>
+    <message>
+        <source>S&amp;lide While Drawing</source>
+        <translation>Sesouvat při &amp;kreslení</translation>
+    </message>
+    <message>
+        <source>What is too steep slides while you draw and after it</source>
+        <translation>Co je příliš strmé, sesouvá se při kreslení i po něm</translation>
+    </message>
+    <message>
+        <source>&amp;Run Erosion</source>
+        <translation>Spustit &amp;erozi</translation>
+    </message>
+    <message>
+        <source>Let everything that is too steep slide, or hold it</source>
+        <translation>Nechat sesouvat vše, co je příliš strmé, nebo to zastavit</translation>
+    </message>
+    <message>
+        <source>Step &amp;Erosion</source>
+        <translation>K&amp;rok eroze</translation>
+    </message>
+    <message>
+        <source>Go once over everything that is too steep</source>
+        <translation>Projít jednou vše, co je příliš strmé</translation>
+    </message>
+    <message>
+        <source>Erode &amp;Until Settled</source>
+        <translation>Erodovat až do &amp;ustálení</translation>
+    </message>
+    <message>
+        <source>Let everything slide in the background, until no face is too steep</source>
+        <translation>Nechat vše sesouvat na pozadí, dokud bude některý trojúhelník příliš strmý</translation>
+    </message>
+    <message>
+        <source>Take Re&amp;ference</source>
+        <translation>Převzít vz&amp;or</translation>
+    </message>
+    <message>
+        <source>Restore, cut and fill, and the cross-section go by the ground as it is now</source>
+        <translation>Obnova, výkopy a násypy i řez se budou řídit povrchem, jaký je nyní</translation>
+    </message>
+    <message>
+        <source>Clear Mas&amp;k</source>
+        <translation>Smazat mas&amp;ku</translation>
+    </message>
+    <message>
+        <source>Open all ground to tools</source>
+        <translation>Zpřístupnit nástrojům celý povrch</translation>
+    </message>
+    <message>
+        <source>&amp;Invert Mask</source>
+        <translation>O&amp;brátit masku</translation>
+    </message>
+    <message>
+        <source>Protect what is open, and open what is protected</source>
+        <translation>Chránit, co je přístupné, a zpřístupnit, co je chráněné</translation>
+    </message>
+    <message>
+        <source>Paint M&amp;ask</source>
+        <translation>M&amp;alovat masku</translation>
+    </message>
+    <message>
+        <source>The left button protects ground from all tools; with Ctrl it opens it again</source>
+        <translation>Levé tlačítko chrání povrch před všemi nástroji; s Ctrl ho zase zpřístupní</translation>
+    </message>
+    <message>
+        <source>Pick &amp;Cross-Section</source>
+        <translation>Vést ře&amp;z</translation>
+    </message>
+    <message>
+        <source>The left button draws the line along which the ground is cut, and moves its ends</source>
+        <translation>Levé tlačítko kreslí čáru, podél níž se povrch řeže, a posouvá její konce</translation>
+    </message>
+    <message>
+        <source>&amp;Off</source>
+        <translation>&amp;Vypnuto</translation>
+    </message>
+    <message>
+        <source>&amp;Left and Right</source>
+        <translation>V&amp;levo a vpravo</translation>
+    </message>
+    <message>
+        <source>&amp;Front and Back</source>
+        <translation>V&amp;předu a vzadu</translation>
+    </message>
+    <message>
+        <source>&amp;Both</source>
+        <translation>&amp;Obojí</translation>
+    </message>
+    <message>
+        <source>&amp;Around</source>
+        <translation>&amp;Dokola</translation>
+    </message>
+    <message>
+        <source>Draw mirrored or turned copies of each stroke</source>
+        <translation>Kreslit zrcadlené nebo otočené kopie každého tahu</translation>
+    </message>
+    <message>
+        <source>&amp;Pause Erosion</source>
+        <translation>Pozastavit &amp;erozi</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -1650,6 +1818,22 @@
         <source>Let Sand Slide One Step</source>
         <translation>Nechat písek sesunout o krok</translation>
     </message>
+    <message>
+        <source>Clear Mask</source>
+        <translation>Smazat masku</translation>
+    </message>
+    <message>
+        <source>Invert Mask</source>
+        <translation>Obrátit masku</translation>
+    </message>
+    <message>
+        <source>Erase Mask</source>
+        <translation>Mazat masku</translation>
+    </message>
+    <message>
+        <source>Paint Mask</source>
+        <translation>Malovat masku</translation>
+    </message>
 </context>
 <context>
     <name>ViewActions</name>
@@ -1970,6 +2154,13 @@
             <numerusform>%n terény už potom nepůjde obnovit.</numerusform>
             <numerusform>%n terénů už potom nepůjde obnovit.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>editor::Sandbox</name>
+    <message>
+        <source>Took out %1</source>
+        <translation>Nabráno %1</translation>
     </message>
 </context>
 <context>
@@ -2630,16 +2821,12 @@ Chyba KG %4 %, RMSE %5, největší chyba %6</translation>
         <translation>&amp;Spustit</translation>
     </message>
     <message>
-        <source>%1 m³/s</source>
-        <translation>%1 m³/s</translation>
-    </message>
-    <message>
-        <source>%1 m³</source>
-        <translation>%1 m³</translation>
-    </message>
-    <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
     </message>
 </context>
 <context>
@@ -3439,6 +3626,14 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
         <source>Cut and fill</source>
         <translation>Výkop a násyp</translation>
     </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maska</translation>
+    </message>
+    <message>
+        <source>% protected</source>
+        <translation>% ochrany</translation>
+    </message>
 </context>
 <context>
     <name>views::LogDock</name>
@@ -3496,30 +3691,6 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
 </context>
 <context>
     <name>views::MaterialDock</name>
-    <message>
-        <source>Dry Sand</source>
-        <translation>Suchý písek</translation>
-    </message>
-    <message>
-        <source>Moist Sand</source>
-        <translation>Vlhký písek</translation>
-    </message>
-    <message>
-        <source>Mud</source>
-        <translation>Bláto</translation>
-    </message>
-    <message>
-        <source>Snow</source>
-        <translation>Sníh</translation>
-    </message>
-    <message>
-        <source>Gravel</source>
-        <translation>Štěrk</translation>
-    </message>
-    <message>
-        <source>Custom</source>
-        <translation>Vlastní</translation>
-    </message>
     <message>
         <source>Materials</source>
         <translation>Materiály</translation>
@@ -3609,16 +3780,39 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
         <translation>Odebrat m&amp;ateriál</translation>
     </message>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>Critical angle</source>
         <translation>Kritický úhel</translation>
     </message>
     <message>
         <source>Angle at humidity %1:</source>
         <translation>Úhel při vlhkosti %1:</translation>
+    </message>
+</context>
+<context>
+    <name>views::MaterialTitles</name>
+    <message>
+        <source>Dry Sand</source>
+        <translation>Suchý písek</translation>
+    </message>
+    <message>
+        <source>Moist Sand</source>
+        <translation>Vlhký písek</translation>
+    </message>
+    <message>
+        <source>Mud</source>
+        <translation>Bláto</translation>
+    </message>
+    <message>
+        <source>Snow</source>
+        <translation>Sníh</translation>
+    </message>
+    <message>
+        <source>Gravel</source>
+        <translation>Štěrk</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Vlastní</translation>
     </message>
 </context>
 <context>
@@ -3746,12 +3940,12 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
         <translation>Terén</translation>
     </message>
     <message>
-        <source>A map of the terrain from above. The 3D view needs OpenGL 3.3.</source>
-        <translation>Mapa terénu shora. Pohled ve 3D vyžaduje OpenGL 3.3.</translation>
-    </message>
-    <message>
         <source>A map from above: the 3D view needs OpenGL 3.3.</source>
         <translation>Mapa shora: pohled ve 3D vyžaduje OpenGL 3.3.</translation>
+    </message>
+    <message>
+        <source>A map of the terrain from above. The 3D view needs OpenGL 3.3. While you sculpt, arrow keys move the tool and Space presses and lifts it.</source>
+        <translation>Mapa terénu shora. Prostorový pohled potřebuje OpenGL 3.3. Při tvarování šipky posouvají nástroj a mezerník ho přitlačí a zvedne.</translation>
     </message>
 </context>
 <context>
@@ -4140,6 +4334,100 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     </message>
 </context>
 <context>
+    <name>views::ProfileDock</name>
+    <message>
+        <source>Cross-Section</source>
+        <translation>Řez</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Vést</translation>
+    </message>
+    <message>
+        <source>Pick on the Ground</source>
+        <translation>Vést po povrchu</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Table</source>
+        <translation>Kopírovat &amp;tabulku</translation>
+    </message>
+    <message>
+        <source>Put the cross-section on the clipboard as comma-separated values</source>
+        <translation>Dát řez do schránky jako hodnoty oddělené čárkami</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Picture</source>
+        <translation>Kopírovat &amp;obrázek</translation>
+    </message>
+    <message>
+        <source>Put the plot on the clipboard as a picture</source>
+        <translation>Dát graf do schránky jako obrázek</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>&amp;Smazat</translation>
+    </message>
+    <message>
+        <source>Take the line away</source>
+        <translation>Odstranit čáru</translation>
+    </message>
+    <message>
+        <source>Length %1   height %2 to %3</source>
+        <translation>Délka %1   výška %2 až %3</translation>
+    </message>
+    <message>
+        <source>At %1</source>
+        <translation>V %1</translation>
+    </message>
+    <message>
+        <source>height %1</source>
+        <translation>výška %1</translation>
+    </message>
+    <message>
+        <source>no ground</source>
+        <translation>bez povrchu</translation>
+    </message>
+    <message>
+        <source>reference %1</source>
+        <translation>vzor %1</translation>
+    </message>
+    <message>
+        <source>difference %1</source>
+        <translation>rozdíl %1</translation>
+    </message>
+</context>
+<context>
+    <name>views::ProfilePlot</name>
+    <message>
+        <source>Cross-section: height over distance</source>
+        <translation>Řez: výška podle vzdálenosti</translation>
+    </message>
+    <message>
+        <source>Press “Pick” and draw a line over the terrain, from one end to the other.</source>
+        <translation>Stiskněte „Vést“ a nakreslete přes terén čáru od jednoho konce ke druhému.</translation>
+    </message>
+    <message>
+        <source>Distance (%1)</source>
+        <translation>Vzdálenost (%1)</translation>
+    </message>
+    <message>
+        <source>Height (%1)</source>
+        <translation>Výška (%1)</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Vzor</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nyní</translation>
+    </message>
+    <message>
+        <source>heights ×%1</source>
+        <translation>výšky ×%1</translation>
+    </message>
+</context>
+<context>
     <name>views::QualityPanel</name>
     <message>
         <source>Quality</source>
@@ -4377,20 +4665,27 @@ chyba KG %4</translation>
     </message>
 </context>
 <context>
+    <name>views::StrokeController</name>
+    <message>
+        <source>The ground to restore is still being copied. Try again in a moment.</source>
+        <translation>Povrch k obnovení se ještě kopíruje. Zkuste to za okamžik znovu.</translation>
+    </message>
+</context>
+<context>
     <name>views::TerrainViewport</name>
     <message>
         <source>Terrain</source>
         <translation>Terén</translation>
     </message>
     <message>
-        <source>The terrain in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it.</source>
-        <translation>Terén ve 3D. Šipky jím otáčejí, plus a minus přibližují a oddalují, F ukáže celý.</translation>
-    </message>
-    <message>
         <source>The graphics driver refused a shader:
 %1</source>
         <translation>Ovladač grafické karty odmítl shader:
 %1</translation>
+    </message>
+    <message>
+        <source>The terrain in 3D. Plus and minus zoom, Home shows all of it. While you sculpt, arrow keys move the tool and Space presses and lifts it; with Ctrl they turn the terrain.</source>
+        <translation>Terén v prostoru. Plus a minus přibližují, Home ukáže celý terén. Při tvarování šipky posouvají nástroj a mezerník ho přitlačí a zvedne; s Ctrl terénem otáčejí.</translation>
     </message>
 </context>
 <context>
@@ -4543,14 +4838,6 @@ chyba KG %4</translation>
         <translation>Nástroje</translation>
     </message>
     <message>
-        <source>Restore to &amp;Now</source>
-        <translation>Obnovovat do &amp;nynějška</translation>
-    </message>
-    <message>
-        <source>From now on, Restore brings back the ground as it is at this moment</source>
-        <translation>Od nynějška bude Obnovit vracet povrch do stavu v tomto okamžiku</translation>
-    </message>
-    <message>
         <source>Only Where</source>
         <translation>Jen tam, kde</translation>
     </message>
@@ -4617,6 +4904,14 @@ chyba KG %4</translation>
     <message>
         <source>%1:</source>
         <translation>%1:</translation>
+    </message>
+    <message>
+        <source>Take &amp;Reference</source>
+        <translation>Převzít &amp;vzor</translation>
+    </message>
+    <message>
+        <source>From now on, Restore brings back the ground as it is at this moment. Until then it is that of the last save.</source>
+        <translation>Od této chvíle Obnovit vrací povrch, jaký je v tomto okamžiku. Do té doby vrací ten, který byl naposledy uložen.</translation>
     </message>
 </context>
 <context>

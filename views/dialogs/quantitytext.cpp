@@ -32,7 +32,18 @@ QString numberText(double value, int decimals)
 
 QString significantText(double value)
 {
-    return QLocale().toString(value, 'g', 4);
+    const QLocale locale;
+    const QString plain = QString::number(value, 'g', 4);
+    const qsizetype at = plain.indexOf(QLatin1Char('e'));
+    if (at < 0)
+        return locale.toString(value, 'g', 4);
+    // Not "1.2e-09": the exponent as on paper.
+    static const QString Raised = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    const int power = plain.mid(at + 1).toInt();
+    QString exponent = power < 0 ? QStringLiteral("⁻") : QString();
+    for (const QChar digit : QString::number(std::abs(power)))
+        exponent += Raised[digit.digitValue()];
+    return locale.toString(plain.left(at).toDouble(), 'g', 4) + QStringLiteral("\u00a0×\u00a010") + exponent;
 }
 
 QString percentText(double percent)

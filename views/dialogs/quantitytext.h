@@ -10,7 +10,7 @@ namespace views {
 
 /// At most `decimals` decimals, none of them a trailing zero: "25", "29.97".
 QString numberText(double value, int decimals);
-/// About four significant digits: "0.001234", "12.35", "1.2e-09".
+/// About four significant digits: "0.001234", "12.35", "1.2 × 10⁻⁹".
 QString significantText(double value);
 /// "1.172 %", never broken between number and sign.
 QString percentText(double percent);

@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <optional>
+#include <vector>
 
 namespace views {
 
@@ -47,6 +48,11 @@ public:
     bool isAtRest() const { return !mErosion || mErosion->isAtRest(); }
 
     const FlowFigures &figures() const { return mFigures; }
+    /// What may still slide. Cost: a copy of the list.
+    std::vector<model::terrain::TriangleId> activeTriangles() const
+    {
+        return mErosion ? mErosion->activeTriangles() : std::vector<model::terrain::TriangleId>();
+    }
 
 signals:
     void runningChanged(bool isRunning);

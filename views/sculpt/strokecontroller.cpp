@@ -2,7 +2,6 @@
 #include "views/sculpt/strokecontroller.h"
 
 #include "model/io/errortext.h"
-#include "model/terrain/tin/surface.h"
 #include "views/sculpt/tooloutline.h"
 #include "views/sculpt/toolvalues.h"
 
@@ -22,8 +21,6 @@ namespace {
 constexpr qint64 StampNanoseconds = 5'000'000;
 /// Between two frames of stamps that are due.
 constexpr int FrameMilliseconds = 8;
-/// [ and ].
-constexpr double RadiusStep = 1.1;
 /// A pen held flatter than this, in degrees from the vertical, draws wider: twice as wide when it lies.
 constexpr double UprightTilt = 30, FlatTilt = 60;
 /// Pixels of a drag that double what a stamp does.
@@ -38,6 +35,7 @@ StrokeController::StrokeController(commands::TerrainContext &context, ToolSettin
     , mSettings(settings)
     , mView(view)
     , mFlow(context, settings)
+    , mReference(context.document())
 {
     mDrawing.setInterval(FrameMilliseconds);
     connect(&mDrawing, &QTimer::timeout, this, &StrokeController::drawDue);
@@ -66,11 +64,6 @@ void StrokeController::setActive(bool isActive)
     updateLines();
 }
 
-void StrokeController::takeReference()
-{
-    mSettings.setReference({{}, std::make_shared<const Tin>(mContext.document().tin())});
-}
-
 OwnerId StrokeController::nextOwner()
 {
     // Owners of strokes that were undone are not used again: their constraints may come back.
@@ -88,6 +81,11 @@ Tool StrokeController::toolFor(const GroundEvent &event) const
         tool = lifting(tool);
     else if ((event.modifiers & Qt::ControlModifier) || event.isEraser)
         tool = inverted(tool);
+    if (const Mask *const mask = mMask && mMask->value() ? maskOf(tool) : nullptr) {
+        Mask painted = *mask;
+        painted.paint = mMask->value();
+        views::setMask(tool, painted);
+    }
     const double tilt = std::hypot(event.xTilt, event.yTilt);
     if (event.isPen && tilt > UprightTilt)
         setRadius(tool, radiusOf(tool) * (1 + std::min(1.0, (tilt - UprightTilt) / (FlatTilt - UprightTilt))));
@@ -103,11 +101,17 @@ bool StrokeController::press(const GroundEvent &event)
         updateLines();
         return true;
     }
+    Tool tool = toolFor(event);
+    if (std::holds_alternative<Restore>(tool) && !mReference.terrain()) {
+        emit strokeRefused(tr("The ground to restore is still being copied. Try again in a moment."));
+        return true;
+    }
     mIsEnding = true;
     mFlow.pause(); // what slides still goes on, as part of this gesture
-    Tool tool = toolFor(event);
     const Terrain &terrain = mContext.document().terrain();
     const Point2 at{event.point.x, event.point.y};
+    if (auto *restore = std::get_if<Restore>(&tool))
+        restore->reference.tin = std::shared_ptr<const Tin>(mReference.terrain(), &mReference.terrain()->tin);
     if (auto *imprint = std::get_if<Imprint>(&tool); imprint && imprint->isRimOfMaterial && event.isOnTerrain)
         if (const Material *const material = terrain.topMaterialAt(at))
             imprint->rim = rimOf(*material, imprint->rim);
@@ -285,15 +289,6 @@ bool StrokeController::keyPress(const QKeyEvent &event)
 {
     const bool isQuestion = event.type() == QEvent::ShortcutOverride;
     switch (event.key()) {
-    case Qt::Key_BracketLeft:
-    case Qt::Key_BracketRight:
-        if (!isQuestion) {
-            Tool tool = mSettings.tool();
-            setRadius(tool,
-                      event.key() == Qt::Key_BracketRight ? radiusOf(tool) * RadiusStep : radiusOf(tool) / RadiusStep);
-            mSettings.setTool(tool);
-        }
-        return mIsActive;
     case Qt::Key_F:
         if (!mIsActive || (event.modifiers() & ~Qt::ShiftModifier) || !mLast || mStroke)
             return false;
@@ -316,30 +311,7 @@ bool StrokeController::keyPress(const QKeyEvent &event)
 
 void StrokeController::showReading(const GroundEvent &event)
 {
-    const model::terrain::Terrain &terrain = mContext.document().terrain();
-    const Point2 p{event.point.x, event.point.y};
-    if (!event.isOnTerrain || !terrain.tin.domain().contains(p)) {
-        emit readingChanged(std::nullopt);
-        return;
-    }
-    const TinArrays &tin = terrain.tin.arrays();
-    const TriangleId t = terrain.tin.triangleAt(p);
-    GroundReading reading;
-    reading.point = {p.x, p.y, terrain.tin.heightAt(p)};
-    reading.slope = slopeOf(tin, t) * 180 / M_PI;
-    // Of the nearest vertex: materials do not mix between vertices.
-    VertexId nearest = tin.vertex(cornerOf(t, 0));
-    const auto distance = [&](VertexId v) { return std::hypot(tin.points[v].x - p.x, tin.points[v].y - p.y); };
-    for (const VertexId v : {tin.vertex(cornerOf(t, 1)), tin.vertex(cornerOf(t, 2))})
-        if (distance(v) < distance(nearest))
-            nearest = v;
-    for (std::uint32_t layer = tin.layerCount(); layer-- > 0;)
-        if (const LayerSample sample = tin.sample(nearest, layer); sample.thickness > 0) {
-            reading.humidity = sample.humidity;
-            reading.material = QString::fromStdString(terrain.materialOf(layer).name);
-            break;
-        }
-    emit readingChanged(reading);
+    emit readingChanged(readingAt(mContext.document().terrain(), event));
 }
 
 void StrokeController::updateLines()
@@ -350,9 +322,11 @@ void StrokeController::updateLines()
 
 std::vector<GroundLine> StrokeController::lines() const
 {
-    if (!mIsActive || !mLast)
+    if (!mIsActive)
         return {};
-    std::vector<GroundLine> lines;
+    std::vector<GroundLine> lines = axesOf(mSettings.symmetry(), mContext.document().tin().domain());
+    if (!mLast)
+        return lines;
     const Tool tool = mStroke ? mStroke->tool() : toolFor(mAdjusting == Adjusting::Nothing ? *mLast : mAdjustFrom);
     const GroundEvent &at = mAdjusting == Adjusting::Nothing ? *mLast : mAdjustFrom;
     const Symmetry &symmetry = mSettings.symmetry();

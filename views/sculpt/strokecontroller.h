@@ -2,7 +2,10 @@
 #pragma once
 
 #include "commands/terrain/terraincontext.h"
+#include "model/document/groundmask.h"
 #include "model/terrain/tools/livestroke.h"
+#include "views/sculpt/groundreading.h"
+#include "views/sculpt/groundreference.h"
 #include "views/sculpt/sandflow.h"
 #include "views/terrain/groundinteraction.h"
 
@@ -14,20 +17,11 @@
 
 namespace views {
 
-/// What lies under the cursor.
-struct GroundReading
-{
-    model::terrain::Point3 point;
-    double slope = 0;              ///< degrees
-    std::optional<float> humidity; ///< of the layer at the surface; nothing on bare rock or without layers
-    QString material;              ///< likewise
-};
-
 /// Draws strokes on a terrain with the mouse or a pen: what a person does to the ground is one gesture, from the press
 /// until the sand that it set in motion rests or the next gesture begins.
 ///
 /// Left drag draws. Ctrl inverts the tool, Shift smooths, Alt lifts; the pen's other end inverts too. F and the pointer
-/// change the radius, Shift+F what one stamp does, until a click; [ and ] change the radius by a tenth.
+/// change the radius, Shift+F what one stamp does, until a click.
 class StrokeController final : public QObject, public GroundInteraction
 {
     Q_OBJECT
@@ -42,8 +36,10 @@ public:
     void setActive(bool isActive);
     SandFlow &flow() { return mFlow; }
     bool isDrawing() const { return mStroke.has_value(); }
-    /// Restore goes back to the terrain as it is now.
-    void takeReference();
+    /// What Restore brings back.
+    GroundReference &reference() { return mReference; }
+    /// What no tool changes; null: there is no such mask.
+    void setMask(std::shared_ptr<const model::GroundMask> mask) { mMask = std::move(mask); }
 
     bool isActive() const override { return mIsActive; }
     bool press(const GroundEvent &event) override;
@@ -82,6 +78,8 @@ private:
     ToolSettings &mSettings;
     GroundView *mView;
     SandFlow mFlow;
+    GroundReference mReference;
+    std::shared_ptr<const model::GroundMask> mMask;
     model::terrain::ToolMemory mMemory;
     std::optional<model::terrain::LiveStroke> mStroke;
     QTimer mDrawing; ///< for stamps that did not fit into the event that brought them

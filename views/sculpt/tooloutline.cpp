@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace views {
 
@@ -16,6 +17,7 @@ constexpr int CircleCorners = 64;
 /// The second outline is never smaller than this part of the first.
 constexpr double SmallestInner = 0.2;
 constexpr double MarkPixels = 6;
+constexpr QColor AxisColor(0x7f, 0xd6, 0xc2, 0xc0);
 
 QColor colorOf(const Tool &tool)
 {
@@ -47,6 +49,14 @@ GroundLine polygon(const Imprint &tool, Point2 centre, double scale, QColor colo
     line.isClosed = true;
     line.color = color;
     return line;
+}
+
+/// How far a coordinate can go by `step` until it leaves a range.
+double wayOut(double from, double step, double low, double high)
+{
+    if (step == 0)
+        return std::numeric_limits<double>::infinity();
+    return ((step > 0 ? high : low) - from) / step;
 }
 
 GroundLine dashed(GroundLine line)
@@ -86,6 +96,36 @@ GroundLine pathOf(const Tool &tool, std::span<const PathPoint> path)
     for (const PathPoint &p : path)
         line.points.push_back(p.at);
     return line;
+}
+
+std::vector<GroundLine> axesOf(const Symmetry &symmetry, const Rectangle &domain)
+{
+    std::vector<GroundLine> lines;
+    const Point2 centre = symmetry.centre;
+    if (symmetry.kind == Symmetry::Kind::Off || !domain.contains(centre))
+        return lines;
+    const auto add = [&](Point2 from, Point2 to) {
+        GroundLine line;
+        line.points = {from, to};
+        line.color = AxisColor;
+        line.isDashed = true;
+        lines.push_back(std::move(line));
+    };
+    if (symmetry.kind == Symmetry::Kind::MirrorX || symmetry.kind == Symmetry::Kind::MirrorBoth)
+        add({centre.x, domain.low.y}, {centre.x, domain.high.y});
+    if (symmetry.kind == Symmetry::Kind::MirrorY || symmetry.kind == Symmetry::Kind::MirrorBoth)
+        add({domain.low.x, centre.y}, {domain.high.x, centre.y});
+    if (symmetry.kind == Symmetry::Kind::Radial)
+        for (std::uint32_t i = 0; i < symmetry.count(); ++i) {
+            const double angle = M_PI / 2 + 2 * M_PI * i / symmetry.count();
+            const double x = std::cos(angle), y = std::sin(angle);
+            // To the border.
+            const double along = std::min(wayOut(centre.x, x, domain.low.x, domain.high.x),
+                                          wayOut(centre.y, y, domain.low.y, domain.high.y));
+            add(centre, {std::clamp(centre.x + along * x, domain.low.x, domain.high.x),
+                         std::clamp(centre.y + along * y, domain.low.y, domain.high.y)});
+        }
+    return lines;
 }
 
 } // namespace views

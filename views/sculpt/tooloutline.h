@@ -14,4 +14,7 @@ std::vector<GroundLine> outlineOf(const model::terrain::Tool &tool, model::terra
 /// What a ramp or a breakline would be made along, while it is drawn.
 GroundLine pathOf(const model::terrain::Tool &tool, std::span<const model::terrain::PathPoint> path);
 
+/// Where the mirrors of a symmetry stand, or between which spokes its copies lie: as far as the terrain goes.
+std::vector<GroundLine> axesOf(const model::terrain::Symmetry &symmetry, const model::terrain::Rectangle &domain);
+
 } // namespace views

@@ -75,11 +75,9 @@ void ToolSettings::setTool(const Tool &tool)
 void ToolSettings::fitTo(const Rectangle &domain)
 {
     mSide = std::min(domain.high.x - domain.low.x, domain.high.y - domain.low.y);
-    const ReferenceSurface reference = std::get<Restore>(mTools[8]).reference;
     std::vector<Tool> tools = usualTools();
     for (Tool &tool : tools)
         tool = scaled(tool, mSide);
-    std::get<Restore>(tools[8]).reference = reference;
     mTools = std::move(tools);
     mSymmetry.centre = {(domain.low.x + domain.high.x) / 2, (domain.low.y + domain.high.y) / 2};
     emit toolChanged();
@@ -99,10 +97,18 @@ void ToolSettings::setFlow(const FlowSettings &flow)
     emit flowChanged();
 }
 
-void ToolSettings::setReference(const ReferenceSurface &reference)
+void ToolSettings::scaleRadius(double factor)
 {
-    std::get<Restore>(mTools[8]).reference = reference;
-    emit toolChanged();
+    Tool changed = tool();
+    setRadius(changed, radiusOf(changed) * factor);
+    setTool(changed);
+}
+
+void ToolSettings::scaleAmount(double factor)
+{
+    Tool changed = tool();
+    setAmount(changed, amountOf(changed) * factor);
+    setTool(changed);
 }
 
 Tool scaled(const Tool &tool, double factor)

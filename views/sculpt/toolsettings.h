@@ -44,8 +44,9 @@ public:
     const FlowSettings &flow() const { return mFlow; }
     void setFlow(const FlowSettings &flow);
 
-    /// What Restore brings back.
-    void setReference(const model::terrain::ReferenceSurface &reference);
+    /// Larger or smaller, and more or less with each stamp; bounded to what the tool takes.
+    void scaleRadius(double factor);
+    void scaleAmount(double factor);
 
 signals:
     /// The chosen tool, or a setting of it, or the symmetry.

@@ -6,7 +6,9 @@
 #include <QPointingDevice>
 #include <QTabletEvent>
 #include <QWheelEvent>
+#include <QWidget>
 
+#include <algorithm>
 #include <utility>
 
 namespace views {
@@ -14,6 +16,8 @@ namespace views {
 namespace {
 
 constexpr double NotchAngle = 120; // in eighths of a degree
+/// Logical pixels that an arrow key moves the cursor by, and with Shift.
+constexpr double KeyStep = 6, LargeKeyStep = 48;
 
 void describe(GroundEvent &ground, const QSinglePointEvent &event)
 {
@@ -34,6 +38,7 @@ void GroundDispatcher::setInteraction(GroundInteraction *interaction)
 
 void GroundDispatcher::cancelStroke()
 {
+    mIsKeyStroke = false;
     if (std::exchange(mIsStroking, false))
         mInteraction->cancel();
 }
@@ -49,6 +54,7 @@ bool GroundDispatcher::begin(const std::optional<GroundEvent> &ground)
 
 void GroundDispatcher::end(const std::optional<GroundEvent> &ground)
 {
+    mIsKeyStroke = false;
     // Let go over the sky: where the ground was last.
     if (std::exchange(mIsStroking, false))
         mInteraction->release(ground ? *ground : *mLast);
@@ -93,18 +99,24 @@ bool GroundDispatcher::handle(QEvent &event)
         describe(*ground, wheel);
         return mInteraction->wheel(*ground, notches);
     }
-    case QEvent::ShortcutOverride:
-        if (static_cast<QKeyEvent &>(event).key() == Qt::Key_Escape
-                ? !mIsStroking
-                : !mInteraction->keyPress(static_cast<QKeyEvent &>(event)))
+    case QEvent::ShortcutOverride: {
+        const auto &key = static_cast<QKeyEvent &>(event);
+        if (key.key() == Qt::Key_Escape && mIsStroking) {
+            event.accept();
+            return true;
+        }
+        if (!takesKey(key) && !mInteraction->keyPress(key))
             return false;
         event.accept();
         return true;
+    }
     case QEvent::KeyPress:
         if (static_cast<QKeyEvent &>(event).key() == Qt::Key_Escape && mIsStroking) {
             cancelStroke();
             return true;
         }
+        if (takesKey(static_cast<QKeyEvent &>(event)))
+            return handleKey(static_cast<QKeyEvent &>(event));
         return mInteraction->keyPress(static_cast<QKeyEvent &>(event));
     case QEvent::KeyRelease:
         return mInteraction->keyRelease(static_cast<QKeyEvent &>(event));
@@ -125,6 +137,8 @@ bool GroundDispatcher::handleMouse(const QMouseEvent &event)
     auto ground = mFind(event.position());
     if (ground)
         describe(*ground, event);
+    if (!mIsKeyStroke)
+        mPlace = event.position();
     switch (event.type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick: // the second press of two
@@ -139,13 +153,13 @@ bool GroundDispatcher::handleMouse(const QMouseEvent &event)
     case QEvent::MouseButtonRelease:
         if (event.button() == Qt::RightButton && std::exchange(mIgnoresRight, false))
             return true;
-        if (event.button() != Qt::LeftButton || !mIsStroking || mIsPenStroke)
+        if (event.button() != Qt::LeftButton || !mIsStroking || mIsPenStroke || mIsKeyStroke)
             return mIsStroking;
         end(ground);
         return true;
     default:
         if (mIsStroking) {
-            if (ground && !mIsPenStroke) {
+            if (ground && !mIsPenStroke && !mIsKeyStroke) {
                 mLast = ground;
                 mInteraction->move(*ground);
             }
@@ -198,6 +212,59 @@ bool GroundDispatcher::handleTablet(const QTabletEvent &event)
         hover(ground);
         return true;
     }
+}
+
+bool GroundDispatcher::takesKey(const QKeyEvent &event) const
+{
+    if (!isActive() || (mIsStroking && !mIsKeyStroke))
+        return false;
+    switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down: // with Ctrl they are the camera's
+        return !(event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+    case Qt::Key_Space:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool GroundDispatcher::handleKey(const QKeyEvent &event)
+{
+    const bool isPress = event.key() == Qt::Key_Space || event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    if (isPress && event.isAutoRepeat())
+        return true;
+    QPointF place = mPlace.value_or(QRectF(mView.rect()).center());
+    const double step = event.modifiers() & Qt::ShiftModifier ? LargeKeyStep : KeyStep;
+    if (event.key() == Qt::Key_Left || event.key() == Qt::Key_Right)
+        place.rx() += event.key() == Qt::Key_Left ? -step : step;
+    else if (!isPress)
+        place.ry() += event.key() == Qt::Key_Up ? -step : step;
+    place = {std::clamp(place.x(), 0.0, double(mView.width())), std::clamp(place.y(), 0.0, double(mView.height()))};
+    auto ground = mFind(place);
+    if (!ground)
+        return true; // the sky: the cursor stays
+    mPlace = place;
+    ground->position = place;
+    ground->isByKeys = true;
+    ground->time = event.timestamp();
+    if (isPress) {
+        ground->modifiers = event.modifiers() & ~Qt::KeypadModifier; // of the arrows, Shift is their step
+        if (mIsKeyStroke)
+            end(ground);
+        else
+            mIsKeyStroke = begin(ground);
+    } else if (mIsKeyStroke) {
+        mLast = ground;
+        mInteraction->move(*ground);
+    } else {
+        hover(ground);
+    }
+    return true;
 }
 
 } // namespace views

@@ -25,6 +25,7 @@ struct GroundEvent
     QPointF position;          ///< in the view, in its logical pixels
     Qt::MouseButton button = Qt::NoButton;
     Qt::KeyboardModifiers modifiers;
+    bool isByKeys = false; ///< the arrow keys moved here, or Space pressed
     bool isPen = false;
     bool isEraser = false;  ///< the pen's other end
     double pressure = 1;    ///< 0 ... 1; 1 for a mouse
@@ -53,8 +54,8 @@ public:
     /// True while the left button and the pen belong to this, not to the camera. The right button then orbits.
     virtual bool isActive() const = 0;
 
-    /// A stroke begins: the left button or the pen's tip. True if it is taken; then it gets the moves up to release()
-    /// or cancel(), else the camera does.
+    /// A stroke begins: the left button, the pen's tip or Space. True if it is taken; then it gets the moves up to
+    /// release() or cancel(), else the camera does.
     virtual bool press(const GroundEvent &event) = 0;
     virtual void move(const GroundEvent &event) = 0;
     virtual void release(const GroundEvent &event) = 0;

@@ -63,6 +63,10 @@ ColorScale groundScale(const TerrainStyle &style, const GroundRange &range, cons
                        isOne ? QString::fromStdString(terrain.materialOf(layer).name) : Legend::tr("all layers")};
         break;
     }
+    case GroundOverlay::Mask:
+        scale.title = Legend::tr("Mask");
+        scale.notes = QStringList{Legend::tr("% protected")};
+        break;
     case GroundOverlay::CutAndFill:
         scale.title = Legend::tr("Cut and fill");
         scale.notes = QStringList{metres};

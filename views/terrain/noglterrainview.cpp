@@ -25,13 +25,14 @@ NoGlTerrainView::NoGlTerrainView(const model::TerrainDocument &document, QWidget
     : QWidget(parent)
     , mDocument(document)
     , mShade(document.terrain())
-    , mDispatcher([this](QPointF place) { return groundAt(place); })
+    , mDispatcher(*this, [this](QPointF place) { return groundAt(place); })
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
     setAccessibleName(tr("Terrain"));
-    setAccessibleDescription(tr("A map of the terrain from above. The 3D view needs OpenGL 3.3."));
+    setAccessibleDescription(tr("A map of the terrain from above. The 3D view needs OpenGL 3.3. While you sculpt, "
+                                "arrow keys move the tool and Space presses and lifts it."));
     mDrawing.setInterval(0);
     connect(&mDrawing, &QTimer::timeout, this, &NoGlTerrainView::drawOn);
     connect(&mDocument, &model::TerrainDocument::changed, this, &NoGlTerrainView::documentChanged);

@@ -34,4 +34,13 @@ GroundScalar heightOver(const Terrain &terrain, std::shared_ptr<const Terrain> r
     };
 }
 
+GroundScalar protectionOf(const Terrain &terrain, std::shared_ptr<const PaintMask> mask)
+{
+    if (!mask)
+        return [](VertexId) { return 0.0f; };
+    return [&terrain, mask = std::move(mask)](VertexId v) {
+        return float(100 * mask->at(terrain.tin.arrays().points[v]));
+    };
+}
+
 } // namespace views

@@ -55,6 +55,13 @@ bool contains(const model::Box3f &outer, const model::Box3f &inner)
                                outer.max.x >= inner.max.x && outer.max.y >= inner.max.y && outer.max.z >= inner.max.z);
 }
 
+/// Its numbers go to the GPU with the vertices.
+bool isScalarOverlay(GroundOverlay overlay)
+{
+    return overlay == GroundOverlay::Thickness || overlay == GroundOverlay::CutAndFill ||
+           overlay == GroundOverlay::Mask;
+}
+
 bool hasShadows(const TerrainStyle &style)
 {
     return style.quality != GroundQuality::Low && style.look != GroundLook::Reference;
@@ -135,6 +142,15 @@ void TerrainRenderer::setReference(TerrainPtr reference)
         mIsAllChanged = true;
 }
 
+void TerrainRenderer::setMask(std::shared_ptr<const PaintMask> mask)
+{
+    mMask = std::move(mask);
+    if (mScalarOf == GroundOverlay::Mask) {
+        mScalarOf = GroundOverlay::None;
+        mIsAllChanged = true;
+    }
+}
+
 void TerrainRenderer::setActiveTriangles(const std::vector<TriangleId> &triangles)
 {
     const TinArrays &tin = mTerrain.tin.arrays();
@@ -150,7 +166,7 @@ void TerrainRenderer::setActiveTriangles(const std::vector<TriangleId> &triangle
 
 void TerrainRenderer::updateScalar(const TerrainStyle &style)
 {
-    const bool isScalar = style.overlay == GroundOverlay::Thickness || style.overlay == GroundOverlay::CutAndFill;
+    const bool isScalar = isScalarOverlay(style.overlay);
     const GroundOverlay wanted = isScalar ? style.overlay : GroundOverlay::None;
     const bool isOther = wanted == GroundOverlay::Thickness && style.thicknessLayer != mScalarLayer;
     if (!isScalar || (wanted == mScalarOf && !isOther))
@@ -158,6 +174,7 @@ void TerrainRenderer::updateScalar(const TerrainStyle &style)
     mScalarOf = wanted;
     mScalarLayer = style.thicknessLayer;
     mBuffers.setScalar(wanted == GroundOverlay::Thickness ? thicknessOf(mTerrain, style.thicknessLayer)
+                       : wanted == GroundOverlay::Mask    ? protectionOf(mTerrain, mMask)
                                                           : heightOver(mTerrain, mReference));
 }
 
@@ -196,6 +213,7 @@ GroundRange TerrainRenderer::rangeOf(GroundOverlay overlay) const
     case GroundOverlay::Slope:
         return {0, SteepestSlope};
     case GroundOverlay::Humidity:
+    case GroundOverlay::Mask:
         return {0, 100};
     case GroundOverlay::Thickness:
         return notEmpty(0, double(mBuffers.highestScalar()));
@@ -219,7 +237,7 @@ double TerrainRenderer::contourInterval(const TerrainStyle &style) const
 bool TerrainRenderer::canBeCoarse(const TerrainStyle &style) const
 {
     return mTerrain.tin.triangleCount() > CoarseFrom && !mBuffers.hasMore() && !style.hasWireframe &&
-           style.overlay != GroundOverlay::Thickness && style.overlay != GroundOverlay::CutAndFill;
+           !isScalarOverlay(style.overlay);
 }
 
 QOpenGLShaderProgram &TerrainRenderer::groundProgram(const TerrainStyle &style, bool isCoarse)

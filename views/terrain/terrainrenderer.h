@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/mesh/camera.h"
+#include "model/terrain/tools/paintmask.h"
 #include "views/terrain/groundcolors.h"
 #include "views/terrain/groundmaps.h"
 #include "views/terrain/terrainbuffers.h"
@@ -44,6 +45,8 @@ public:
     void noteMaterials() { mBuffers.noteAll(); }
     /// What CutAndFill compares with; null: nothing differs.
     void setReference(TerrainPtr reference);
+    /// What the overlay Mask shows; null: nothing is protected.
+    void setMask(std::shared_ptr<const model::terrain::PaintMask> mask);
     /// Triangles drawn as active; those that have gone meanwhile are left out.
     void setActiveTriangles(const std::vector<model::terrain::TriangleId> &triangles);
 
@@ -88,6 +91,7 @@ private:
     ShaderProgram mLines, mFlat;
     GLuint mGrains = 0, mLineColors = 0, mLineTexture = 0, mEmptyArray = 0;
     TerrainPtr mReference;
+    std::shared_ptr<const model::terrain::PaintMask> mMask;
     GroundOverlay mScalarOf = GroundOverlay::None;
     int mScalarLayer = -1;
     GroundEdges mLinesOf = GroundEdges::None;

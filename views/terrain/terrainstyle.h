@@ -13,10 +13,10 @@ enum class GroundQuality : std::uint8_t { Low, Medium, High };
 enum class GroundLook : std::uint8_t { Sand, Reference };
 
 /// What the colours of the ground tell; None: what it is made of.
-enum class GroundOverlay : std::uint8_t { None, Height, Slope, Humidity, Thickness, CutAndFill };
-inline constexpr GroundOverlay EveryGroundOverlay[] = {GroundOverlay::None,      GroundOverlay::Height,
-                                                       GroundOverlay::Slope,     GroundOverlay::Humidity,
-                                                       GroundOverlay::Thickness, GroundOverlay::CutAndFill};
+enum class GroundOverlay : std::uint8_t { None, Height, Slope, Humidity, Thickness, CutAndFill, Mask };
+inline constexpr GroundOverlay EveryGroundOverlay[] = {
+    GroundOverlay::None,      GroundOverlay::Height,     GroundOverlay::Slope, GroundOverlay::Humidity,
+    GroundOverlay::Thickness, GroundOverlay::CutAndFill, GroundOverlay::Mask};
 
 /// The edges that are drawn on the ground.
 enum class GroundEdges : std::uint8_t {

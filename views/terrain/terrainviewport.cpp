@@ -49,14 +49,16 @@ TerrainViewport::TerrainViewport(const model::TerrainDocument &document, QWidget
     , mDocument(document)
     , mFrame(document.tin())
     , mControl(*this)
-    , mDispatcher([this](QPointF place) { return groundAt(place); })
+    , mDispatcher(*this, [this](QPointF place) { return groundAt(place); })
     , mSamples(glSupport().isSoftware ? 0 : HardwareSamples)
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
     setAccessibleName(tr("Terrain"));
-    setAccessibleDescription(tr("The terrain in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it."));
+    setAccessibleDescription(
+        tr("The terrain in 3D. Plus and minus zoom, Home shows all of it. While you sculpt, arrow keys "
+           "move the tool and Space presses and lifts it; with Ctrl they turn the terrain."));
     connect(&mControl, &CameraControl::moved, this, [this] {
         if (mSamples == 0)
             mCameraPause.start();
@@ -113,6 +115,14 @@ void TerrainViewport::setReference(std::shared_ptr<const Terrain> reference)
     mReference = std::move(reference);
     if (mRenderer)
         mRenderer->setReference(mReference);
+    update();
+}
+
+void TerrainViewport::setMask(std::shared_ptr<const PaintMask> mask)
+{
+    mMask = std::move(mask);
+    if (mRenderer)
+        mRenderer->setMask(mMask);
     update();
 }
 
@@ -183,6 +193,7 @@ void TerrainViewport::initializeGL()
     mMaximumPictureSize = QSize(std::min(side, viewport[0]), std::min(side, viewport[1]));
     mRenderer = std::make_unique<TerrainRenderer>(*mGl, mDocument.terrain(), mFrame);
     mRenderer->setReference(mReference);
+    mRenderer->setMask(mMask);
     mIsStale = mIsActiveStale = true;
     if (!mRenderer->error().isEmpty())
         qCritical("Shader: %s", qUtf8Printable(mRenderer->error()));

@@ -39,6 +39,8 @@ public:
     void setStyle(const TerrainStyle &style);
     /// The moment that CutAndFill compares with; null: nothing differs. Any snapshot of a terrain over the same domain.
     void setReference(std::shared_ptr<const model::terrain::Terrain> reference);
+    /// What the overlay Mask shows; null: nothing is protected.
+    void setMask(std::shared_ptr<const model::terrain::PaintMask> mask);
     /// The triangles that erosion works on, for hasActiveTriangles.
     void setActiveTriangles(std::vector<model::terrain::TriangleId> triangles);
 
@@ -101,6 +103,7 @@ private:
     std::unique_ptr<TerrainRenderer> mRenderer;
     std::unique_ptr<QOpenGLFramebufferObject> mPicture; ///< the ground, without lines
     std::shared_ptr<const model::terrain::Terrain> mReference;
+    std::shared_ptr<const model::terrain::PaintMask> mMask;
     std::vector<model::terrain::TriangleId> mActive;
     bool mIsActiveStale = true;
     bool mIsStale = true; ///< the picture shows something else

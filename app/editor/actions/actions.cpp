@@ -28,6 +28,7 @@ constexpr std::optional<DocumentKind> Terrain = DocumentKind::Terrain;
 
 constexpr const char *File = QT_TRANSLATE_NOOP("Actions", "&File");
 constexpr const char *Edit = QT_TRANSLATE_NOOP("Actions", "&Edit");
+constexpr const char *TerrainMenu = QT_TRANSLATE_NOOP("Actions", "&Terrain");
 constexpr const char *View = QT_TRANSLATE_NOOP("Actions", "&View");
 constexpr const char *Settings = QT_TRANSLATE_NOOP("Actions", "&Settings");
 constexpr const char *Help = QT_TRANSLATE_NOOP("Actions", "&Help");
@@ -80,7 +81,7 @@ constexpr Spec Specs[] = {
      QT_TRANSLATE_NOOP("Actions", "Move and scale the animation into the unit cube"), false, Animation},
     {ActionId::Rename, "edit.rename", Edit, QT_TRANSLATE_NOOP("Actions", "Re&name…"), "rename", "F2",
      QT_TRANSLATE_NOOP("Actions", "Give the animation another name"), false, Animation},
-    {ActionId::Sculpt, "edit.sculpt", Edit, QT_TRANSLATE_NOOP("Actions", "Scu&lpt"), "sculpt", "D",
+    {ActionId::Sculpt, "edit.sculpt", TerrainMenu, QT_TRANSLATE_NOOP("Actions", "Scu&lpt"), "sculpt", "D",
      QT_TRANSLATE_NOOP("Actions", "The left button draws with the tool; else it turns the picture"), true, Terrain},
 
     {ActionId::Shaded, "view.shaded", View, QT_TRANSLATE_NOOP("Actions", "&Shaded"), "shaded", "1",

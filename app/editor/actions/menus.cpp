@@ -34,6 +34,7 @@ Menus::Menus(QMainWindow &window, Actions &actions, Settings &settings, Language
     fillFile();
     fillEdit();
     fillView();
+    fillTerrain();
     mPlay = addMenu(nullptr, QT_TRANSLATE_NOOP("Actions", "&Play"));
     fillSettings();
     fillHelp();
@@ -87,7 +88,6 @@ void Menus::fillEdit()
     menu->addSeparator();
     menu->addAction(&mActions[ActionId::Normalise]);
     menu->addAction(&mActions[ActionId::Rename]);
-    menu->addAction(&mActions[ActionId::Sculpt]);
 }
 
 void Menus::fillView()
@@ -109,6 +109,15 @@ void Menus::fillView()
     menu->addSeparator();
     menu->addAction(&mActions[ActionId::NextTab]);
     menu->addAction(&mActions[ActionId::PreviousTab]);
+}
+
+void Menus::fillTerrain()
+{
+    mTerrain = addMenu(nullptr, QT_TRANSLATE_NOOP("Actions", "&Terrain"));
+    mTerrain->addAction(&mActions[ActionId::Sculpt]);
+    mTool = addMenu(mTerrain, QT_TRANSLATE_NOOP("Actions", "&Tool"), QStringLiteral("sculpt"));
+    mSymmetry = addMenu(mTerrain, QT_TRANSLATE_NOOP("Actions", "S&ymmetry"), QStringLiteral("symmetry"));
+    mTerrain->addSeparator();
 }
 
 void Menus::fillSettings()

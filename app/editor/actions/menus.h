@@ -28,6 +28,10 @@ public:
     QMenu &playMenu() { return *mPlay; }
     /// How terrains are drawn.
     QMenu &groundMenu() { return *mGround; }
+    /// What is done to terrains, and its sub-menus.
+    QMenu &terrainMenu() { return *mTerrain; }
+    QMenu &toolMenu() { return *mTool; }
+    QMenu &symmetryMenu() { return *mSymmetry; }
     /// Where docks and toolbars can be shown and hidden; call when all of them are there.
     void addPanelActions(const QList<QAction *> &docks, const QList<QAction *> &toolBars);
     void retranslate();
@@ -41,6 +45,7 @@ private:
     void fillFile();
     void fillEdit();
     void fillView();
+    void fillTerrain();
     void fillSettings();
     void fillHelp();
     void showRecentFiles();
@@ -59,6 +64,9 @@ private:
     std::vector<Titled> mTitled;
     QMenu *mPlay = nullptr;
     QMenu *mGround = nullptr;
+    QMenu *mTerrain = nullptr;
+    QMenu *mTool = nullptr;
+    QMenu *mSymmetry = nullptr;
     QMenu *mRecent = nullptr;
     QMenu *mSamples = nullptr;
     QMenu *mDocks = nullptr;

@@ -2,6 +2,7 @@
 #include "app/editor/documents/openterrain.h"
 
 #include "app/editor/start/samples.h"
+#include "model/io/terrain/maskjson.h"
 #include "views/dialogs/terrainpicture.h"
 
 #include <QFileInfo>
@@ -38,11 +39,21 @@ model::Result<Saved> saveToFile(const model::terrain::Terrain &terrain, model::i
     return Saved{stamp, std::move(*base)};
 }
 
+constexpr QLatin1String MaskKey("mask");
+
+/// Null if there is none, or none that can be read: the terrain is worth more than a mask.
+model::GroundMask::Value savedMask(const model::io::TerrainExtras &extras, const model::terrain::Rectangle &domain)
+{
+    const auto mask = model::io::maskOf(extras.tools[MaskKey].toObject(), domain);
+    return mask ? std::make_shared<const model::terrain::PaintMask>(*mask) : nullptr;
+}
+
 } // namespace
 
 OpenTerrain::State::State(model::io::TerrainFile file)
     : document(std::make_unique<model::TerrainDocument>(std::move(file.terrain)))
     , extras(std::move(file.extras))
+    , mask(std::make_shared<model::GroundMask>(savedMask(extras, document->tin().domain())))
     , saving(*document)
     , other(*document)
     , record(*document)
@@ -168,23 +179,36 @@ void OpenTerrain::write(const QString &path)
 
 void OpenTerrain::writeSnapshot(const QString &path, TerrainPtr terrain)
 {
-    savingJob().start([terrain = std::move(terrain), extras = mState->extras,
-                       path](const model::Progress &progress) { return saveToFile(*terrain, extras, path, progress); },
-                      [this, path, changes = mState->record.changeCount()](const model::Result<Saved> &result) {
-                          if (!result) {
-                              emit saveFailed(result.error());
-                              return;
-                          }
-                          mIsNewer = mWasRecovered = false;
-                          mOrigin = Origin::File;
-                          // A step that was not finished may have grown, and old ones may have been dropped: numbers
-                          // say nothing.
-                          constexpr int NoStep = -1;
-                          const bool isTheSame = changes == mState->record.changeCount();
-                          finishSaving(path, result->stamp, isTheSame ? mContext->undoStack().index() : NoStep);
-                          mLock.hold(path);
-                          mState->record.fileSaved(title(), result->base, changes);
-                      });
+    savingJob().start(
+        [terrain, extras = extrasToSave(), path](const model::Progress &progress) {
+            return saveToFile(*terrain, extras, path, progress);
+        },
+        [this, path, terrain, changes = mState->record.changeCount()](const model::Result<Saved> &result) {
+            if (!result) {
+                emit saveFailed(result.error());
+                return;
+            }
+            mIsNewer = mWasRecovered = false;
+            mOrigin = Origin::File;
+            emit terrainSaved(terrain);
+            // A step that was not finished may have grown, and old ones may have been dropped: numbers
+            // say nothing.
+            constexpr int NoStep = -1;
+            const bool isTheSame = changes == mState->record.changeCount();
+            finishSaving(path, result->stamp, isTheSame ? mContext->undoStack().index() : NoStep);
+            mLock.hold(path);
+            mState->record.fileSaved(title(), result->base, changes);
+        });
+}
+
+model::io::TerrainExtras OpenTerrain::extrasToSave() const
+{
+    model::io::TerrainExtras extras = mState->extras;
+    if (const model::GroundMask::Value &mask = mState->mask->value())
+        extras.tools[MaskKey] = model::io::jsonOf(*mask);
+    else
+        extras.tools.remove(MaskKey);
+    return extras;
 }
 
 void OpenTerrain::takeSnapshot(model::TerrainSnapshot::Taken taken)

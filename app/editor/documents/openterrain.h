@@ -5,6 +5,7 @@
 #include "app/editor/documents/filelock.h"
 #include "app/editor/recovery/recoveryrecord.h"
 #include "commands/terrain/terraincontext.h"
+#include "model/document/groundmask.h"
 #include "model/document/terrainsnapshot.h"
 #include "model/io/terrain/newterrain.h"
 #include "model/io/terrain/terrainfile.h"
@@ -47,6 +48,8 @@ public:
 
     /// Precondition: isOpen().
     const model::TerrainDocument &terrain() const { return *mState->document; }
+    /// What tools leave alone. It is kept with the state of the tools. Precondition: isOpen().
+    const std::shared_ptr<model::GroundMask> &mask() { return mState->mask; }
     /// What its file holds beside the terrain. Precondition: isOpen().
     const model::io::TerrainExtras &extras() const { return mState->extras; }
     RecoveryRecord &record() { return mState->record; }
@@ -54,6 +57,8 @@ public:
     void takeSnapshot(model::TerrainSnapshot::Taken taken);
 
 signals:
+    /// It was saved like this: sent before saved().
+    void terrainSaved(const std::shared_ptr<const model::terrain::Terrain> &terrain);
     /// Edits are not being written down for now.
     void recoveryFailed(const model::Error &error);
 
@@ -79,6 +84,7 @@ private:
 
         std::unique_ptr<model::TerrainDocument> document;
         model::io::TerrainExtras extras;
+        std::shared_ptr<model::GroundMask> mask;
         model::TerrainSnapshot saving;
         model::TerrainSnapshot other;
         RecoveryRecord record;
@@ -87,6 +93,8 @@ private:
     void start(Origin origin, const QString &name, std::function<model::Result<Opened>(const model::Progress &)> work);
     void take(Opened opened);
     void writeSnapshot(const QString &path, std::shared_ptr<const model::terrain::Terrain> terrain);
+    /// What goes into the file beside the terrain, as it is now.
+    model::io::TerrainExtras extrasToSave() const;
 
     Origin mOrigin = Origin::File;
     QString mName;                             ///< of what has no path

@@ -10,6 +10,8 @@
 #include <QCoreApplication>
 #include <QMenu>
 
+#include <algorithm>
+
 namespace editor {
 
 using views::GroundEdges;
@@ -46,6 +48,13 @@ const std::vector<GroundStyle::Row> &GroundStyle::rows()
         {"ground.thickness", "overlay", QT_TRANSLATE_NOOP("Actions", "Colour by &Thickness"),
          QT_TRANSLATE_NOOP("Actions", "Colour the ground by how much loose material lies on the bedrock"),
          [](TerrainStyle &s, bool) { s.overlay = GroundOverlay::Thickness; }},
+        {"ground.cutAndFill", "overlay", QT_TRANSLATE_NOOP("Actions", "Colour by Cut &and Fill"),
+         QT_TRANSLATE_NOOP("Actions", "Colour the ground by how much lower or higher it is than the reference: when it "
+                                      "was opened or saved, or the moment that was taken"),
+         [](TerrainStyle &s, bool) { s.overlay = GroundOverlay::CutAndFill; }},
+        {"ground.mask", "overlay", QT_TRANSLATE_NOOP("Actions", "Colour by Mas&k"),
+         QT_TRANSLATE_NOOP("Actions", "Colour the ground by how far it is protected from tools"),
+         [](TerrainStyle &s, bool) { s.overlay = GroundOverlay::Mask; }},
         {"ground.overlays", nullptr, nullptr, nullptr, nullptr},
         {"ground.contours", nullptr, QT_TRANSLATE_NOOP("Actions", "&Contour Lines"),
          QT_TRANSLATE_NOOP("Actions", "Draw lines of equal height"),
@@ -56,6 +65,9 @@ const std::vector<GroundStyle::Row> &GroundStyle::rows()
         {"ground.constraints", nullptr, QT_TRANSLATE_NOOP("Actions", "Constrained E&dges"),
          QT_TRANSLATE_NOOP("Actions", "Draw the edges that stamps and breaklines hold in place"),
          [](TerrainStyle &s, bool isOn) { s.edges = isOn ? GroundEdges::Constrained : GroundEdges::None; }},
+        {"ground.active", nullptr, QT_TRANSLATE_NOOP("Actions", "Acti&ve Triangles"),
+         QT_TRANSLATE_NOOP("Actions", "Mark the triangles that may still slide"),
+         [](TerrainStyle &s, bool isOn) { s.hasActiveTriangles = isOn; }},
         {"ground.lines", nullptr, nullptr, nullptr, nullptr},
         {"ground.low", "quality", QT_TRANSLATE_NOOP("Actions", "&Low Quality"),
          QT_TRANSLATE_NOOP("Actions", "Plain shading, for computers without a graphics card"),
@@ -106,6 +118,25 @@ GroundStyle::GroundStyle(Actions &actions, Workspace &workspace, QMenu &menu)
     connect(&workspace, &Workspace::currentStateChanged, this, &GroundStyle::follow);
     retranslate();
     follow();
+}
+
+void GroundStyle::showMask(bool isShown)
+{
+    const auto named = [this](const char *key) {
+        return *std::find_if(mActions.begin(), mActions.end(),
+                             [key](const QAction *action) { return action->objectName() == QLatin1String(key); });
+    };
+    QAction *const mask = named("ground.mask");
+    if (isShown == mask->isChecked())
+        return;
+    if (isShown) {
+        for (QAction *action : mask->actionGroup()->actions())
+            if (action->isChecked())
+                mBeforeMask = action;
+        mask->setChecked(true);
+    } else {
+        (mBeforeMask ? mBeforeMask : named("ground.material"))->setChecked(true);
+    }
 }
 
 void GroundStyle::follow()

@@ -26,6 +26,8 @@ public:
     GroundStyle(Actions &actions, Workspace &workspace, QMenu &menu);
 
     void retranslate();
+    /// Colours by the mask, for as long as it is painted; then as before.
+    void showMask(bool isShown);
 
 private:
     struct Row;
@@ -36,6 +38,7 @@ private:
     Workspace &mWorkspace;
     views::TerrainStyle mStyle;
     std::vector<QAction *> mActions; ///< of the rows
+    QAction *mBeforeMask = nullptr;
 };
 
 } // namespace editor

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "views/sculpt/maskpainter.h"
+#include "views/sculpt/profileline.h"
+#include "views/sculpt/sharedground.h"
 #include "views/sculpt/strokecontroller.h"
 #include "views/sculpt/toolsettings.h"
 
@@ -9,11 +12,13 @@
 #include <map>
 #include <memory>
 
+class QAction;
 class QMainWindow;
 
 namespace views {
 class ErosionDock;
 class MaterialDock;
+class ProfileDock;
 class ToolsDock;
 } // namespace views
 
@@ -36,10 +41,27 @@ public:
     views::ToolsDock &tools() const { return *mTools; }
     views::ErosionDock &erosion() const { return *mErosion; }
     views::MaterialDock &materials() const { return *mMaterials; }
+    views::ProfileDock &profile() const { return *mProfile; }
+    views::ToolSettings &settings() { return mSettings; }
+
+    /// While it is checked, the left button draws the line of the cross-section.
+    QAction &pickAction() { return *mPick; }
+    /// While it is checked, the left button paints what is protected from tools.
+    QAction &maskAction() { return *mPaint; }
+    void clearMask();
+    void invertMask();
+    /// The tool of this kind draws from now on.
+    void chooseTool(std::size_t kind);
+    /// The present terrain, as it is now, is what it is compared with.
+    void takeReference();
 
 signals:
     /// The pointer is over another place of the present terrain; nothing beside it.
     void readingChanged(const std::optional<views::GroundReading> &reading);
+    /// A stroke is over, and this is what there is to say of it.
+    void strokeTold(const QString &text);
+    /// Another terrain is in front, or none.
+    void stateChanged();
 
 private:
     /// What works on the ground of one tab.
@@ -47,12 +69,18 @@ private:
     {
         views::GroundView *ground = nullptr;
         std::unique_ptr<views::StrokeController> strokes;
+        std::unique_ptr<views::ProfileLine> profile;
+        std::unique_ptr<views::MaskPainter> mask;
+        std::unique_ptr<views::SharedGround> shared; ///< by those three
     };
 
     void follow();
     void changeGround(TerrainTab &tab);
+    void begin(TerrainTab &tab, Work &work);
     void forget(Work &work);
-    views::StrokeController *strokes() const;
+    void shareGround();
+    void showActive(TerrainTab &tab, const Work &work);
+    Work *present();
 
     Actions &mActions;
     Workspace &mWorkspace;
@@ -60,6 +88,8 @@ private:
     views::ToolsDock *mTools;
     views::ErosionDock *mErosion;
     views::MaterialDock *mMaterials;
+    QAction *mPick, *mPaint;
+    views::ProfileDock *mProfile;
     std::map<TerrainTab *, Work> mWork;
 };
 

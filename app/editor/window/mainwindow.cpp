@@ -10,6 +10,7 @@
 #include "views/docks/logdock.h"
 #include "views/docks/terrain/erosiondock.h"
 #include "views/docks/terrain/materialdock.h"
+#include "views/docks/terrain/profiledock.h"
 #include "views/docks/terrain/toolsdock.h"
 #include "views/docks/timelinedock.h"
 #include "views/widgets/icons.h"
@@ -45,6 +46,7 @@ MainWindow::MainWindow(Language &language)
     , mMenus(*this, mActions, mSettings, mLanguage)
     , mGroundStyle(mActions, *mWorkspace, mMenus.groundMenu())
     , mSandbox(mActions, *mWorkspace, *this)
+    , mTerrainMenu(mActions, mMenus, mSandbox)
     , mStatus(*statusBar(), *mWorkspace)
     , mDrops(*this)
     , mLayouts(*this, mSettings)
@@ -61,6 +63,8 @@ MainWindow::MainWindow(Language &language)
     connect(&mMenus, &Menus::recentFilesCleared, mWelcome, &WelcomePage::refresh);
     connect(&mDrops, &DropTarget::dropped, this, &MainWindow::open);
     connect(&mSandbox, &Sandbox::readingChanged, &mStatus, &StatusPanel::showReading);
+    connect(&mSandbox.maskAction(), &QAction::toggled, &mGroundStyle, &GroundStyle::showMask);
+    connect(&mSandbox, &Sandbox::strokeTold, &mStatus, &StatusPanel::showMessage);
     connect(&mFiles, &FileActions::quitReady, this, &QWidget::close);
     connect(mWorkspace, &Workspace::currentChanged, this, &MainWindow::followDocument);
     connect(mWorkspace, &Workspace::currentStateChanged, this, &MainWindow::followDocument);
@@ -68,6 +72,8 @@ MainWindow::MainWindow(Language &language)
     restoreWindow(*this, mSettings);
     mLayouts.restore(DocumentKind::Animation);
     mActions.showFor(DocumentKind::Animation);
+    for (QMenu *menu : {&mMenus.groundMenu(), &mMenus.terrainMenu()})
+        menu->menuAction()->setVisible(false);
     followDocument();
 }
 
@@ -122,6 +128,7 @@ void MainWindow::makeDocks()
         splitDockWidget(dock, mHistory, Qt::Vertical);
     }
     tabifyDockWidget(&mSandbox.materials(), &mSandbox.erosion());
+    addDockWidget(Qt::BottomDockWidgetArea, &mSandbox.profile());
     splitDockWidget(mTimeline, mLogDock, Qt::Vertical);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     mLogDock->hide();
@@ -140,6 +147,8 @@ void MainWindow::makeDocks()
     QList<QDockWidget *> sandbox{&mSandbox.tools(), &mSandbox.erosion(), &mSandbox.materials()};
     for (QDockWidget *dock : sandbox)
         mLayouts.add(*dock, DocumentKind::Terrain);
+    mLayouts.add(mSandbox.profile(), DocumentKind::Terrain, true);
+    sandbox << &mSandbox.profile();
     mLayouts.add(*mHistory, {});
     mLayouts.add(*mLogDock, {}, true);
     QList<QAction *> docks;
@@ -176,7 +185,8 @@ void MainWindow::showKind(DocumentKind kind)
     mActions.showFor(kind);
     for (QAction *action : {mMenus.playMenu().menuAction(), mDensity})
         action->setVisible(kind == DocumentKind::Animation);
-    mMenus.groundMenu().menuAction()->setVisible(kind == DocumentKind::Terrain);
+    for (QAction *action : {mMenus.groundMenu().menuAction(), mMenus.terrainMenu().menuAction()})
+        action->setVisible(kind == DocumentKind::Terrain);
 }
 
 void MainWindow::letGo()
@@ -228,6 +238,7 @@ void MainWindow::retranslate()
     mMenus.retranslate();
     mViews.retranslate();
     mGroundStyle.retranslate();
+    mTerrainMenu.retranslate();
     mStatus.retranslate();
     for (QToolBar *bar : mToolBars)
         for (const auto &[key, title] : ToolBarTitles)

@@ -11,6 +11,7 @@
 #include "app/editor/actions/viewactions.h"
 #include "app/editor/sandbox/groundstyle.h"
 #include "app/editor/sandbox/sandbox.h"
+#include "app/editor/sandbox/terrainmenu.h"
 #include "app/editor/start/language.h"
 #include "app/editor/start/settings.h"
 #include "app/editor/window/docklayouts.h"
@@ -81,6 +82,7 @@ private:
     Menus mMenus;
     GroundStyle mGroundStyle;
     Sandbox mSandbox;
+    TerrainMenu mTerrainMenu;
     StatusPanel mStatus;
     DropTarget mDrops;
     DockLayouts mLayouts;

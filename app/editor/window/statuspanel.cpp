@@ -5,12 +5,19 @@
 #include "app/editor/documents/terraintab.h"
 #include "app/editor/window/workspace.h"
 #include "views/dialogs/quantitytext.h"
+#include "views/terrain/groundinteraction.h"
 
 #include <QLabel>
 #include <QLocale>
 #include <QStatusBar>
 
 namespace editor {
+
+namespace {
+
+constexpr int MessageMilliseconds = 6000;
+
+} // namespace
 
 StatusPanel::StatusPanel(QStatusBar &bar, Workspace &workspace)
     : mBar(bar)
@@ -93,8 +100,18 @@ void StatusPanel::showTerrain(const OpenTerrain &document)
 void StatusPanel::showReading(const std::optional<views::GroundReading> &reading)
 {
     mReading = reading;
-    if (mWorkspace.currentTerrain())
-        mHint->setText(readingText());
+    const TerrainTab *const tab = mWorkspace.currentTerrain();
+    if (!tab)
+        return;
+    mHint->setText(readingText());
+    // Screen readers say what has changed about the widget with the focus.
+    if (auto *const ground = dynamic_cast<QWidget *>(tab->ground()); ground && reading && reading->isByKeys)
+        ground->setAccessibleDescription(readingText());
+}
+
+void StatusPanel::showMessage(const QString &text)
+{
+    mBar.showMessage(text, MessageMilliseconds);
 }
 
 QString StatusPanel::readingText() const

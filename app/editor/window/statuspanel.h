@@ -23,6 +23,8 @@ public:
     void retranslate() { update(); }
     /// What lies under the pointer on a terrain; nothing beside it.
     void showReading(const std::optional<views::GroundReading> &reading);
+    /// Something that happened, for a few seconds.
+    void showMessage(const QString &text);
 
 private:
     QString readingText() const;

@@ -52,6 +52,11 @@ public:
     void clear() { take(size()); }
     std::size_t size() const { return mTriangles.size() - mFirst; }
     bool isEmpty() const { return size() == 0; }
+    /// Those that wait.
+    std::vector<TriangleId> triangles() const
+    {
+        return {mTriangles.begin() + std::ptrdiff_t(mFirst), mTriangles.end()};
+    }
 
 private:
     std::vector<TriangleId> mTriangles;

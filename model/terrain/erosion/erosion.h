@@ -56,6 +56,7 @@ public:
     /// Nothing is on the list. True does not say that nothing could slide, but that nobody reported it.
     bool isAtRest() const { return mActive.isEmpty(); }
     std::size_t activeCount() const { return mActive.size(); }
+    std::vector<TriangleId> activeTriangles() const { return mActive.triangles(); }
 
     /// Lets what is on the list slide for `seconds` of simulated time, at most within the budget. What is left of a
     /// sweep counts next time.

@@ -3,12 +3,18 @@
 #include "tests/app/editor/windowdriver.h"
 #include "tests/support/testmain.h"
 #include "views/docks/terrain/erosiondock.h"
+#include "views/docks/terrain/profiledock.h"
+#include "views/docks/terrain/profileplot.h"
 #include "views/docks/terrain/toolsdock.h"
 #include "views/terrain/terrainviewport.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSettings>
 #include <QStatusBar>
+#include <QToolButton>
 
 using editor::ActionId;
 
@@ -60,6 +66,22 @@ class TestSandbox final : public QObject
         QTest::mouseRelease(&viewport(driver), Qt::LeftButton, {}, seen(driver, 14, 10));
         // What it set in motion comes to rest, in a time that depends on the machine.
         QTRY_VERIFY_WITH_TIMEOUT(!driver.terrain().context()->hasGesture(), 120'000);
+    }
+
+    static QAction *named(tests::WindowDriver &driver, const QString &name)
+    {
+        return driver.window.findChild<QAction *>(name);
+    }
+    /// Pixels that are red: cut.
+    static int redOf(const QImage &picture)
+    {
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x) {
+                const QColor color = picture.pixelColor(x, y);
+                count += color.red() > 1.4 * color.green() && color.red() > 1.4 * color.blue();
+            }
+        return count;
     }
 
 private slots:
@@ -196,6 +218,163 @@ private slots:
         contours->trigger();
         QVERIFY(viewport(driver).style().overlay == views::GroundOverlay::None);
         QVERIFY(!viewport(driver).style().hasContours);
+    }
+
+    void everyToolIsAnAction()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        auto *dock = driver.window.findChild<views::ToolsDock *>();
+        for (const model::terrain::Tool &tool : views::ToolSettings().tools()) {
+            const QString name = QStringLiteral("tool.") + nameOf(tool);
+            auto *action = named(driver, name);
+            QVERIFY2(action && action->isEnabled() && !action->icon().isNull(), qPrintable(name));
+            action->trigger();
+            QVERIFY(action->isChecked());
+            QVERIFY(dock->findChild<QToolButton *>(name)->isChecked());
+            const auto &entries = driver.window.actions().entries();
+            QVERIFY(
+                std::any_of(entries.begin(), entries.end(), [&](const auto &entry) { return entry.key() == name; }));
+        }
+        // And the other way round, by a key, wherever the focus is.
+        dock->findChild<QToolButton *>("tool.rake")->click();
+        QVERIFY(named(driver, "tool.rake")->isChecked());
+        viewport(driver).setFocus();
+        QTest::keyClick(&viewport(driver), Qt::Key_7);
+        QVERIFY(named(driver, "tool.noise")->isChecked());
+    }
+
+    void menuDoesWhatTheDocksDo()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        const auto radius = [&] {
+            for (const QLineEdit *line : driver.window.findChild<views::ToolsDock *>()->findChildren<QLineEdit *>())
+                if (line->accessibleName() == "Radius")
+                    return QLocale().toDouble(line->text());
+            return 0.0;
+        };
+        const double before = radius();
+        QVERIFY(before > 0);
+        named(driver, "terrain.bigger")->trigger();
+        QVERIFY(std::abs(radius() / before - 1.1) < 1e-3);
+        named(driver, "terrain.smaller")->trigger();
+        QVERIFY(std::abs(radius() / before - 1) < 1e-3);
+        named(driver, "symmetry.both")->trigger();
+        auto *symmetry = driver.window.findChild<QComboBox *>("symmetry");
+        QCOMPARE(symmetry->currentIndex(), 3);
+        named(driver, "symmetry.off")->trigger();
+        QCOMPARE(symmetry->currentIndex(), 0);
+        named(driver, "terrain.slide")->trigger();
+        QVERIFY(!driver.window.findChild<QCheckBox *>("whileDrawing")->isChecked());
+
+        // A heap that does not stand.
+        auto &context = *driver.terrain().context();
+        context.push<commands::EditSurface>("Raise", [](model::terrain::TinEdit &edit) {
+            edit.setHeight(edit.tin().arrays().vertex(model::terrain::cornerOf(edit.tin().triangleAt({10, 10}), 0)), 9);
+        });
+        const std::uint64_t steep = driver.terrain().terrain().tin().fingerprint();
+        QAction *run = named(driver, "terrain.run");
+        run->trigger();
+        QVERIFY(run->text().contains("Pause") && !named(driver, "terrain.step")->isEnabled());
+        QTRY_VERIFY(driver.terrain().terrain().tin().fingerprint() != steep);
+        if (run->text().contains("Pause")) // it may have come to rest
+            run->trigger();
+        QVERIFY(run->text().contains("Run"));
+        named(driver, "terrain.settle")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!driver.window.findChild<views::ErosionDock *>()->isSettling(), 60'000);
+        context.undoStack().setIndex(1);
+        QCOMPARE(driver.terrain().terrain().tin().fingerprint(), steep);
+    }
+
+    void keysDrawOnTheGroundAndSayWhereTheyAre()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        editor::OpenTerrain &document = driver.terrain();
+        const std::uint64_t before = document.terrain().tin().fingerprint();
+        viewport(driver).setFocus();
+        const float yaw = viewport(driver).camera().yaw;
+        QTest::keyClick(&viewport(driver), Qt::Key_Left);
+        const QString first = viewport(driver).accessibleDescription();
+        QVERIFY2(first.contains("height"), qPrintable(first));
+        QTest::keyClick(&viewport(driver), Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(viewport(driver).accessibleDescription() != first);
+        QCOMPARE(viewport(driver).camera().yaw, yaw);
+        QTest::keyClick(&viewport(driver), Qt::Key_Left, Qt::ControlModifier); // with Ctrl they are the camera's
+        QVERIFY(viewport(driver).camera().yaw != yaw);
+        QTest::keyClick(&viewport(driver), Qt::Key_Space);
+        QTest::keyClick(&viewport(driver), Qt::Key_Right, Qt::ShiftModifier);
+        QTest::keyClick(&viewport(driver), Qt::Key_Right, Qt::ShiftModifier);
+        QTest::keyClick(&viewport(driver), Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.context()->hasGesture(), 120'000);
+        QCOMPARE(document.context()->undoStack().count(), 1);
+        QVERIFY(document.terrain().tin().fingerprint() != before);
+        driver.action(ActionId::Undo).trigger();
+        QCOMPARE(document.terrain().tin().fingerprint(), before);
+        QTest::keyClick(&viewport(driver), Qt::Key_Return);
+        QTest::keyClick(&viewport(driver), Qt::Key_Right, Qt::ShiftModifier);
+        QTest::keyClick(&viewport(driver), Qt::Key_Escape);
+        QCOMPARE(document.terrain().tin().fingerprint(), before);
+    }
+
+    void cutAndFillAndRestoreGoByTheLastSave()
+    {
+        const QString path = makeFile("flat.terrain");
+        tests::WindowDriver driver;
+        open(driver, path);
+        named(driver, "ground.cutAndFill")->trigger();
+        QVERIFY(viewport(driver).style().overlay == views::GroundOverlay::CutAndFill);
+        const QImage flat = viewport(driver).renderPicture({320, 240});
+        draw(driver);
+        const QImage cut = viewport(driver).renderPicture({320, 240});
+        QVERIFY(cut != flat);
+        QVERIFY2(redOf(flat) == 0 && redOf(cut) > 20, qPrintable(QString::number(redOf(cut))));
+        // What is saved is what it compares with from then on: one colour again.
+        driver.action(ActionId::Save).trigger();
+        QVERIFY(driver.settle());
+        QTRY_VERIFY(redOf(viewport(driver).renderPicture({320, 240})) < redOf(cut) / 4);
+        draw(driver);
+        QTRY_VERIFY(redOf(viewport(driver).renderPicture({320, 240})) > redOf(cut) / 4);
+        named(driver, "terrain.reference")->trigger();
+        QTRY_VERIFY(redOf(viewport(driver).renderPicture({320, 240})) < redOf(cut) / 4);
+    }
+
+    void crossSectionIsPickedOnTheGround()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        auto *dock = driver.window.findChild<views::ProfileDock *>();
+        QVERIFY(dock->isHidden());
+        QAction *pick = named(driver, "terrain.pickProfile");
+        pick->trigger();
+        QVERIFY(dock->isVisible());
+        QTest::qWait(300); // the picture has become smaller
+        const std::uint64_t before = driver.terrain().terrain().tin().fingerprint();
+        press(driver);
+        QTest::mouseRelease(&viewport(driver), Qt::LeftButton, {}, seen(driver, 14, 10));
+        QCOMPARE(driver.terrain().terrain().tin().fingerprint(), before);
+        const auto &now = dock->plot().now();
+        QVERIFY(now.size() > 8 && std::abs(now.back().distance - 8) < 0.3);
+        // A tool takes the button back; the line stays, and the curve follows.
+        named(driver, "tool.imprint")->trigger();
+        QVERIFY(!pick->isChecked());
+        draw(driver);
+        QVERIFY(driver.terrain().terrain().tin().fingerprint() != before);
+        QTRY_VERIFY(*heightAt(dock->plot().now(), 4) < *heightAt(dock->plot().before(), 4) - 1e-3);
+        dock->close();
+        QVERIFY(!pick->isChecked());
+        driver.action(ActionId::CloseTab).trigger();
+    }
+
+    void scoopSaysHowMuch()
+    {
+        tests::WindowDriver driver;
+        open(driver, makeFile("flat.terrain"));
+        named(driver, "tool.scoop")->trigger();
+        draw(driver);
+        const QString text = driver.window.statusBar()->currentMessage();
+        QVERIFY2(text.contains("m³") || text.contains(" l"), qPrintable(text));
     }
 };
 

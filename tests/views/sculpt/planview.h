@@ -20,7 +20,7 @@ public:
 
     explicit PlanView(const model::TerrainDocument &document)
         : mDocument(document)
-        , mDispatcher([this](QPointF place) { return find(place); })
+        , mDispatcher(*this, [this](QPointF place) { return find(place); })
     {
         resize(Side + 2 * Margin, Side + 2 * Margin);
         setMouseTracking(true);
@@ -39,14 +39,18 @@ public:
     static QPointF placeOf(model::terrain::Point2 p) { return {Margin + Side * p.x, Margin + Side * (1 - p.y)}; }
 
     /// What a pen does: Qt's own test functions know the mouse alone.
-    void pen(QEvent::Type type, model::terrain::Point2 p, double pressure, float tilt = 0)
+    void pen(QEvent::Type type, model::terrain::Point2 p, double pressure, float tilt = 0, bool isEraser = false)
     {
-        static const QPointingDevice device(QStringLiteral("pen"), 7, QInputDevice::DeviceType::Stylus,
-                                            QPointingDevice::PointerType::Pen,
-                                            QInputDevice::Capability::Pressure | QInputDevice::Capability::XTilt, 1, 1);
+        using Device = QInputDevice;
+        constexpr auto Capabilities = Device::Capability::Pressure | Device::Capability::XTilt;
+        static const QPointingDevice tip(QStringLiteral("pen"), 7, Device::DeviceType::Stylus,
+                                         QPointingDevice::PointerType::Pen, Capabilities, 1, 1);
+        static const QPointingDevice eraser(QStringLiteral("eraser"), 8, Device::DeviceType::Stylus,
+                                            QPointingDevice::PointerType::Eraser, Capabilities, 1, 1);
         const QPointF place = placeOf(p);
-        QTabletEvent event(type, &device, place, mapToGlobal(place), pressure, tilt, 0, 0, 0, 0, Qt::NoModifier,
-                           Qt::LeftButton, type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
+        QTabletEvent event(type, isEraser ? &eraser : &tip, place, mapToGlobal(place), pressure, tilt, 0, 0, 0, 0,
+                           Qt::NoModifier, Qt::LeftButton,
+                           type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
         QCoreApplication::sendEvent(this, &event);
     }
 

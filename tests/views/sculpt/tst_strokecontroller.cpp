@@ -86,7 +86,7 @@ private slots:
     {
         QFETCH(int, kind);
         Bench bench;
-        bench.controller.takeReference();
+        QTRY_VERIFY(bench.controller.reference().terrain());
         bench.settings.choose(kindOf<Raise>());
         bench.drag({0.2, 0.6}, {0.8, 0.6}); // something to smooth, flatten and restore
         const tests::State before(bench.document);
@@ -216,6 +216,144 @@ private slots:
         // Twice as wide: stamps half as often, each of four times the volume.
         QVERIFY2(flat / hard > 1.6 && flat / hard < 2.6, qPrintable(QString::number(flat / hard)));
     }
+    void theKeyboardDraws()
+    {
+        Bench bench;
+        bench.settings.choose(kindOf<Raise>());
+        bench.view.setFocus();
+        const auto middle = [&] { // of the tool's outline
+            Point2 sum;
+            const std::vector<GroundLine> lines = bench.controller.lines();
+            if (lines.empty())
+                return Point2{-1, -1};
+            for (const Point2 p : lines[0].points)
+                sum = {sum.x + p.x / double(lines[0].points.size()), sum.y + p.y / double(lines[0].points.size())};
+            return sum;
+        };
+        std::optional<GroundReading> reading;
+        connect(&bench.controller, &StrokeController::readingChanged, &bench.view,
+                [&](const std::optional<GroundReading> &now) { reading = now; });
+        QTest::keyClick(&bench.view, Qt::Key_Left);
+        const Point2 first = middle();
+        QVERIFY(std::abs(first.x - 0.5) < 0.03 && std::abs(first.y - 0.5) < 0.01);
+        QVERIFY(reading && reading->isByKeys);
+        QTest::keyClick(&bench.view, Qt::Key_Up, Qt::ShiftModifier);
+        QVERIFY(middle().y > first.y + 0.05); // coarser
+        QVERIFY(std::abs(middle().x - first.x) < 1e-9);
+        QTest::keyClick(&bench.view, Qt::Key_Down, Qt::ShiftModifier);
+        QVERIFY(tests::State(bench.document) == bench.start);
+
+        QTest::keyClick(&bench.view, Qt::Key_Space);
+        QVERIFY(bench.controller.isDrawing());
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(&bench.view, Qt::Key_Right, Qt::ShiftModifier);
+        bench.moveTo({0.1, 0.1}); // a mouse that is nudged meanwhile draws nothing
+        QTest::keyClick(&bench.view, Qt::Key_Space);
+        QTRY_VERIFY(!bench.controller.isDrawing());
+        QCOMPARE(bench.stack().count(), 1);
+        const auto rise = [&](Point2 p) { return bench.document.tin().heightAt(p) - tests::sandboxHeight(p); };
+        QVERIFY(rise({first.x + 0.1, first.y}) > 1e-3);
+        QVERIFY(std::abs(rise({first.x + 0.1, first.y + 0.2})) < 1e-3);
+        bench.stack().undo();
+        QVERIFY(tests::State(bench.document) == bench.start);
+
+        QTest::keyClick(&bench.view, Qt::Key_Return);
+        QTest::keyClick(&bench.view, Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(!(tests::State(bench.document) == bench.start));
+        QTest::keyClick(&bench.view, Qt::Key_Escape);
+        QVERIFY(tests::State(bench.document) == bench.start);
+        QVERIFY(!bench.controller.isDrawing());
+        QCOMPARE(bench.stack().count(), 0);
+        QTest::keyClick(&bench.view, Qt::Key_Space, Qt::ControlModifier); // inverted, as with the mouse
+        QTest::keyClick(&bench.view, Qt::Key_Space);
+        QTRY_VERIFY(!bench.controller.isDrawing());
+        QCOMPARE(bench.stack().undoText(), titleOf(Lower()));
+        bench.controller.setActive(false); // then they are the camera's
+        QVERIFY(bench.controller.lines().empty());
+        QTest::keyClick(&bench.view, Qt::Key_Space);
+        QVERIFY(!bench.controller.isDrawing());
+    }
+    void theCursorOfTheKeysStaysInTheView()
+    {
+        Bench bench;
+        bench.view.setFocus();
+        for (int i = 0; i < 40; ++i)
+            QTest::keyClick(&bench.view, Qt::Key_Left, Qt::ShiftModifier);
+        QTest::keyClick(&bench.view, Qt::Key_Right, Qt::ShiftModifier);
+        const std::vector<GroundLine> lines = bench.controller.lines();
+        QVERIFY(!lines.empty());
+        QVERIFY(lines[0].points[0].x > -double(PlanView::Margin) / PlanView::Side);
+    }
+    void thePensOtherEndInverts()
+    {
+        Bench bench;
+        bench.settings.choose(kindOf<Raise>());
+        bench.view.pen(QEvent::TabletPress, {0.3, 0.5}, 1, 0, true);
+        bench.view.pen(QEvent::TabletMove, {0.5, 0.5}, 1, 0, true);
+        bench.view.pen(QEvent::TabletRelease, {0.5, 0.5}, 0, 0, true);
+        QTRY_VERIFY(!bench.controller.isDrawing());
+        QVERIFY(bench.removed() > 0 && bench.added() == 0);
+    }
+    void restoreBringsBackWhatWasOpenedUntilAnotherMomentIsTaken()
+    {
+        Bench bench;
+        GroundReference &reference = bench.controller.reference();
+        QTRY_VERIFY(reference.terrain());
+        QVERIFY(!reference.isTaken());
+        const Point2 place{0.5, 0.5};
+        const double opened = bench.document.tin().heightAt(place);
+        const auto restore = [&] {
+            Restore tool;
+            tool.brush.radius = 0.2;
+            tool.strength = 1;
+            tool.brush.falloff = Falloff::Constant;
+            bench.settings.setTool(tool);
+            bench.drag({0.45, 0.5}, {0.55, 0.5});
+        };
+        const auto raise = [&] {
+            bench.settings.choose(kindOf<Raise>());
+            bench.drag({0.4, 0.5}, {0.6, 0.5});
+        };
+        raise();
+        QVERIFY(bench.document.tin().heightAt(place) > opened + 1e-3);
+        restore();
+        QVERIFY(std::abs(bench.document.tin().heightAt(place) - opened) < 1e-9);
+
+        raise();
+        const double taken = bench.document.tin().heightAt(place);
+        QSignalSpy changed(&reference, &GroundReference::changed);
+        reference.take();
+        QTRY_COMPARE(changed.count(), 1);
+        raise();
+        restore();
+        QVERIFY(std::abs(bench.document.tin().heightAt(place) - taken) < 1e-9);
+        // What the user has taken stays through a save.
+        const GroundReference::TerrainPtr before = reference.terrain();
+        reference.noteSaved(bench.document.snapshot());
+        QCOMPARE(reference.terrain(), before);
+    }
+    void aSaveIsTheReferenceUntilOneIsTaken()
+    {
+        Bench bench;
+        GroundReference &reference = bench.controller.reference();
+        QTRY_VERIFY(reference.terrain());
+        const GroundReference::TerrainPtr saved = bench.document.snapshot();
+        reference.noteSaved(saved);
+        QCOMPARE(reference.terrain(), saved);
+    }
+    void spokesReachTheBorder()
+    {
+        Bench bench;
+        bench.settings.setSymmetry({Symmetry::Kind::Radial, {0.25, 0.5}, 7});
+        const std::vector<GroundLine> lines = bench.controller.lines();
+        QCOMPARE(lines.size(), std::size_t(7));
+        for (const GroundLine &line : lines) {
+            QVERIFY((line.points[0] == Point2{0.25, 0.5}));
+            const Point2 end = line.points[1];
+            QVERIFY(std::min({end.x, 1 - end.x, end.y, 1 - end.y}) < 1e-12);
+            QVERIFY(bench.document.tin().domain().contains(end));
+        }
+    }
     void strokesGoOverTheEdge()
     {
         Bench bench;
@@ -230,9 +368,12 @@ private slots:
         Bench bench;
         bench.moveTo({0.5, 0.5});
         const double radius = radiusOf(bench.settings.tool()), depth = amountOf(bench.settings.tool());
-        QTest::keyClick(&bench.view, Qt::Key_BracketRight);
+        bench.settings.scaleRadius(1.1);
         QVERIFY(std::abs(radiusOf(bench.settings.tool()) - 1.1 * radius) < 1e-12);
-        QTest::keyClick(&bench.view, Qt::Key_BracketLeft);
+        bench.settings.scaleRadius(1 / 1.1);
+        bench.settings.scaleAmount(2);
+        QVERIFY(std::abs(amountOf(bench.settings.tool()) - 2 * depth) < 1e-12);
+        bench.settings.scaleAmount(0.5);
         QVERIFY(std::abs(radiusOf(bench.settings.tool()) - radius) < 1e-12);
         QTest::keyClick(&bench.view, Qt::Key_F);
         bench.moveTo({0.6, 0.5});
@@ -263,7 +404,11 @@ private slots:
                          (radiusOf(bench.settings.tool()) - amountOf(bench.settings.tool()))) < 1e-9);
         bench.settings.setSymmetry({Symmetry::Kind::MirrorX, {0.5, 0.5}, 2});
         lines = bench.controller.lines();
-        QCOMPARE(lines.size(), std::size_t(4));
+        QCOMPARE(lines.size(), std::size_t(5));
+        // First the mirror, then the tool, then its image.
+        for (const Point2 p : lines[0].points)
+            QCOMPARE(p.x, 0.5);
+        lines.erase(lines.begin());
         double middle = 0;
         for (const Point2 p : lines[2].points)
             middle += p.x / double(lines[2].points.size());
@@ -281,7 +426,7 @@ private slots:
         QVERIFY(reading);
         QCOMPARE(reading->point.z, bench.document.tin().heightAt({reading->point.x, reading->point.y}));
         QCOMPARE(reading->humidity, std::optional(0.1f));
-        QCOMPARE(reading->material, QStringLiteral("dry sand"));
+        QCOMPARE(reading->material, QStringLiteral("Dry Sand"));
         QVERIFY(reading->slope >= 0 && reading->slope < 90);
         bench.moveTo({1.1, 0.5});
         QVERIFY(!reading);

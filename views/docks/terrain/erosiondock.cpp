@@ -3,6 +3,7 @@
 
 #include "views/dialogs/inputline.h"
 #include "views/dialogs/jobpanel.h"
+#include "views/dialogs/measuretext.h"
 #include "views/dialogs/numberfield.h"
 #include "views/dialogs/quantitytext.h"
 #include "views/docks/terrain/dockform.h"
@@ -98,11 +99,11 @@ QWidget *ErosionDock::makeButtons(QWidget *parent)
             [this](bool isOn) { change([isOn](FlowSettings &flow) { flow.isOn = isOn; }); });
     mRun = new QPushButton(part);
     mRun->setObjectName(QStringLiteral("run"));
-    connect(mRun, &QPushButton::clicked, this, [this] { mFlow->isRunning() ? mFlow->pause() : mFlow->run(); });
+    connect(mRun, &QPushButton::clicked, this, &ErosionDock::runOrPause);
     mStep = new QPushButton(tr("&Step"), part);
     mStep->setObjectName(QStringLiteral("step"));
     mStep->setToolTip(tr("Go once over everything that is too steep"));
-    connect(mStep, &QPushButton::clicked, this, [this] { mFlow->step(); });
+    connect(mStep, &QPushButton::clicked, this, &ErosionDock::step);
     mSettle = new QPushButton(tr("&Until Settled"), part);
     mSettle->setObjectName(QStringLiteral("settle"));
     mSettle->setToolTip(tr("Let everything slide in the background, until no face is too steep"));
@@ -194,8 +195,26 @@ void ErosionDock::change(const std::function<void(FlowSettings &)> &change)
     mSettings.setFlow(flow);
 }
 
+void ErosionDock::runOrPause()
+{
+    if (!mFlow || isSettling())
+        return;
+    if (isRunning())
+        mFlow->pause();
+    else
+        mFlow->run();
+}
+
+void ErosionDock::step()
+{
+    if (mFlow && !isSettling() && !isRunning())
+        mFlow->step();
+}
+
 void ErosionDock::settle()
 {
+    if (!mFlow || isSettling())
+        return;
     mRefusal->hide();
     mFlow->pause();
     auto erosion = Erosion::create(mSettings.flow().erosion, mContext->document().terrain().materials);
@@ -233,14 +252,13 @@ void ErosionDock::showSettings()
 
 void ErosionDock::showState()
 {
-    const bool isSettling = mSettling && mSettling->job().isRunning();
-    const bool isRunning = mFlow && mFlow->isRunning();
-    mRun->setText(isRunning ? tr("&Pause") : tr("&Run"));
-    mRun->setEnabled(mFlow && !isSettling);
-    mStep->setEnabled(mFlow && !isSettling && !isRunning);
-    mSettle->setEnabled(mFlow && !isSettling);
+    mRun->setText(isRunning() ? tr("&Pause") : tr("&Run"));
+    mRun->setEnabled(mFlow && !isSettling());
+    mStep->setEnabled(mFlow && !isSettling() && !isRunning());
+    mSettle->setEnabled(mFlow && !isSettling());
     if (mPanel)
-        mPanel->setVisible(isSettling);
+        mPanel->setVisible(isSettling());
+    emit stateChanged();
 }
 
 void ErosionDock::showFigures()
@@ -253,10 +271,10 @@ void ErosionDock::showFigures()
     }
     const FlowFigures &figures = mFlow->figures();
     mValues[0]->setText(countText(figures.activeTriangles));
-    mValues[1]->setText(tr("%1 m³/s").arg(significantText(figures.movedPerSecond)));
-    mValues[2]->setText(tr("%1 m³").arg(significantText(figures.movedVolume)));
+    mValues[1]->setText(tr("%1/s").arg(volumeText(figures.movedPerSecond)));
+    mValues[2]->setText(volumeText(figures.movedVolume));
     mValues[3]->setText(figures.steepest ? tr("%1°").arg(numberText(*figures.steepest, 2)) : none);
-    mValues[4]->setText(significantText(figures.drift));
+    mValues[4]->setText(percentText(100 * figures.drift));
 }
 
 } // namespace views

@@ -35,6 +35,20 @@ public:
     /// \param context, flow  of the terrain in front; null: none. Let go of by itself when they are destroyed
     void setTerrain(commands::TerrainContext *context, SandFlow *flow);
 
+    /// The sand of the terrain in front slides, live.
+    bool isRunning() const { return mFlow && mFlow->isRunning(); }
+    /// All of it comes to rest in the background.
+    bool isSettling() const { return mSettling && mSettling->job().isRunning(); }
+    bool hasTerrain() const { return mFlow != nullptr; }
+    // As the buttons do. Nothing happens where they are disabled.
+    void runOrPause();
+    void step();
+    void settle();
+
+signals:
+    /// What can be done, or what is done.
+    void stateChanged();
+
 protected:
     void changeEvent(QEvent *event) override;
 
@@ -46,7 +60,6 @@ private:
     void addNumber(QFormLayout &form, const QString &label, const QString &hint, const QString &unit, double min,
                    double max, int decimals, double step, double &(*member)(FlowSettings &));
     void change(const std::function<void(FlowSettings &)> &change);
-    void settle();
     void showSettings();
     void showState();
     void showFigures();

@@ -4,9 +4,11 @@
 #include "commands/terrain/changematerials.h"
 #include "commands/terrain/layers.h"
 #include "views/dialogs/jobpanel.h"
+#include "views/dialogs/measuretext.h"
 #include "views/dialogs/numberfield.h"
 #include "views/dialogs/quantitytext.h"
 #include "views/docks/terrain/dockform.h"
+#include "views/sculpt/materialtitles.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -27,34 +29,6 @@ using namespace model::terrain;
 namespace {
 
 constexpr int LaterMilliseconds = 300;
-
-QString titleOf(MaterialPreset preset)
-{
-    switch (preset) {
-    case MaterialPreset::DrySand:
-        return MaterialDock::tr("Dry Sand");
-    case MaterialPreset::MoistSand:
-        return MaterialDock::tr("Moist Sand");
-    case MaterialPreset::Mud:
-        return MaterialDock::tr("Mud");
-    case MaterialPreset::Snow:
-        return MaterialDock::tr("Snow");
-    case MaterialPreset::Gravel:
-        return MaterialDock::tr("Gravel");
-    case MaterialPreset::Custom:
-        return MaterialDock::tr("Custom");
-    }
-    return {};
-}
-
-/// Materials that a preset named are shown in the user's language.
-QString titleOf(const Material &material)
-{
-    for (const MaterialPreset preset : EveryMaterialPreset)
-        if (preset != MaterialPreset::Custom && material.name == nameOf(preset))
-            return titleOf(preset);
-    return QString::fromStdString(material.name);
-}
 
 QString undoText(const char *text)
 {
@@ -250,9 +224,8 @@ void MaterialDock::showLayers()
         const Rectangle &domain = terrain->tin.domain();
         const double area = (domain.high.x - domain.low.x) * (domain.high.y - domain.low.y);
         for (std::uint32_t l = count; l-- > 0;) {
-            auto *item =
-                new QTreeWidgetItem(mLayers, {titleOf(terrain->materialOf(l)),
-                                              tr("%1 m").arg(significantText(terrain->tin.layerVolume(l) / area))});
+            auto *item = new QTreeWidgetItem(
+                mLayers, {titleOf(terrain->materialOf(l)), lengthText(terrain->tin.layerVolume(l) / area)});
             item->setTextAlignment(1, Qt::AlignRight);
         }
     }

@@ -66,9 +66,10 @@ void ToolsDock::build()
     column->addWidget(makeTools(content));
     mFieldsBox = new QGroupBox(content);
     new QFormLayout(mFieldsBox);
-    mTakeReference = new QPushButton(tr("Restore to &Now"), content);
+    mTakeReference = new QPushButton(tr("Take &Reference"), content);
     mTakeReference->setObjectName(QStringLiteral("takeReference"));
-    mTakeReference->setToolTip(tr("From now on, Restore brings back the ground as it is at this moment"));
+    mTakeReference->setToolTip(tr("From now on, Restore brings back the ground as it is at this moment. Until then it "
+                                  "is that of the last save."));
     connect(mTakeReference, &QPushButton::clicked, this, &ToolsDock::referenceRequested);
     mMaskBox = new QGroupBox(tr("Only Where"), content);
     new QFormLayout(mMaskBox);

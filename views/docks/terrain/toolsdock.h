@@ -26,7 +26,7 @@ public:
     ~ToolsDock() override;
 
 signals:
-    /// Restore is to bring back the ground as it is now.
+    /// The user takes the ground as it is now for the reference.
     void referenceRequested();
 
 protected:
