@@ -33,6 +33,7 @@ struct Opened
     // What array() gives.
     std::vector<float> floats;
     std::vector<std::uint32_t> integers;
+    std::vector<std::uint32_t> corners; ///< between cornerRanges() and corners()
     const void *array = nullptr;
     std::size_t arrayLength = 0;
 };
@@ -284,14 +285,17 @@ WEB_EXPORT(edges) void edges()
     give(web::edgesOf(opened().shown->connectivity()));
 }
 
+/// Makes two arrays: this one, and the one that corners() gives after it.
 WEB_EXPORT(cornerRanges) void cornerRanges()
 {
-    give(web::cornersOf(opened().shown->connectivity()).ranges);
+    web::VertexCorners corners = web::cornersOf(opened().shown->connectivity());
+    opened().corners = std::move(corners.others);
+    give(std::move(corners.ranges));
 }
 
 WEB_EXPORT(corners) void corners()
 {
-    give(web::cornersOf(opened().shown->connectivity()).others);
+    give(std::move(opened().corners));
 }
 
 /// The centre, then the least and the greatest corner, of a box around `count` frames spread over all; absolute.
