@@ -6,6 +6,8 @@ import type { FromWorker, ToWorker } from './messages';
 
 const BoundsFrames = 12;      // that the picture has to hold
 const BetweenShows = 120;     // ms, while the file is coming
+const LeastPart = 1024;       // bytes that are decoded at a time
+const PartsOfPiece = 16;
 const ValuesPerLayer = 4;     // trajectories in a texel: app/web/decoder/texturelayout.h
 
 let decoder: Decoder | null = null;
@@ -100,12 +102,17 @@ async function open(module: WebAssembly.Module, source: string | Blob): Promise<
         const { done, value } = await reader.read();
         const begin = performance.now();
         if (done) opened.finish();
-        else opened.append(value);
-        if (!hasHeader && opened.header()) {
-            hasHeader = true;
-            send({ kind: 'header', header: opened.header()! });
+        // In parts, so that the first picture is not for the end of what came at once.
+        const part = Math.max(LeastPart, Math.ceil((value?.length ?? 0) / PartsOfPiece));
+        for (let at = 0; value && at < value.length; at += part) {
+            opened.append(value.subarray(at, at + part));
+            if (!hasHeader && opened.header()) {
+                hasHeader = true;
+                send({ kind: 'header', header: opened.header()! });
+            }
+            shower.maybe(opened.bytesRead === total);
         }
-        shower.maybe(done || opened.bytesRead === total);
+        if (done) shower.maybe(true);
         milliseconds += performance.now() - begin;
         send({ kind: 'progress', bytes: opened.bytesRead, total, bands: opened.bandCount, bandsInFile: opened.bandsInFile });
         if (done) break;
