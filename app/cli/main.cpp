@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/haptics.h"
 #include "model/base/outofmemory.h"
 #include "model/io/errortext.h"
 
@@ -63,6 +64,7 @@ int main(int argc, char **argv)
     cli::addRender(app, run);
     cli::addExportPlayer(app, run);
     cli::addTerrain(app, run);
+    cli::addHaptics(app, run);
 
     try {
         app.parse(argc, argv);
