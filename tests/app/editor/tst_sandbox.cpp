@@ -68,9 +68,13 @@ class TestSandbox final : public QObject
         QTRY_VERIFY_WITH_TIMEOUT(!driver.terrain().context()->hasGesture(), 120'000);
     }
 
+    /// As the shortcut editor finds it.
     static QAction *named(tests::WindowDriver &driver, const QString &name)
     {
-        return driver.window.findChild<QAction *>(name);
+        for (const auto &entry : driver.window.actions().entries())
+            if (entry.key() == name)
+                return entry.action;
+        return nullptr;
     }
     /// Pixels that are red: cut.
     static int redOf(const QImage &picture)
@@ -225,7 +229,8 @@ private slots:
         tests::WindowDriver driver;
         open(driver, makeFile("flat.terrain"));
         auto *dock = driver.window.findChild<views::ToolsDock *>();
-        for (const model::terrain::Tool &tool : views::ToolSettings().tools()) {
+        const views::ToolSettings fresh;
+        for (const model::terrain::Tool &tool : fresh.tools()) {
             const QString name = QStringLiteral("tool.") + nameOf(tool);
             auto *action = named(driver, name);
             QVERIFY2(action && action->isEnabled() && !action->icon().isNull(), qPrintable(name));
