@@ -1310,6 +1310,175 @@
     </message>
 </context>
 <context>
+    <name>MeshFields</name>
+    <message>
+        <source>Mean Curvature</source>
+        <translation>Střední křivost</translation>
+    </message>
+    <message>
+        <source>Gaussian Curvature</source>
+        <translation>Gaussova křivost</translation>
+    </message>
+    <message>
+        <source>Valence</source>
+        <translation>Valence</translation>
+    </message>
+    <message>
+        <source>Codec Error</source>
+        <translation>Chyba kodeku</translation>
+    </message>
+    <message>
+        <source>Trajectory Length</source>
+        <translation>Délka trajektorie</translation>
+    </message>
+    <message>
+        <source>PCA Coefficient %1</source>
+        <translation>Koeficient PCA %1</translation>
+    </message>
+</context>
+<context>
+    <name>MeshProblems</name>
+    <message>
+        <source>Edge of three faces or more</source>
+        <translation>Hrana tří nebo více stěn</translation>
+    </message>
+    <message>
+        <source>Vertex where fans of faces touch</source>
+        <translation>Vrchol, kde se dotýkají vějíře stěn</translation>
+    </message>
+    <message>
+        <source>Faces wound against each other</source>
+        <translation>Stěny orientované proti sobě</translation>
+    </message>
+    <message>
+        <source>Face with a vertex twice</source>
+        <translation>Stěna s opakovaným vrcholem</translation>
+    </message>
+    <message>
+        <source>Face without area</source>
+        <translation>Stěna bez plochy</translation>
+    </message>
+    <message>
+        <source>Face that is there twice</source>
+        <translation>Zdvojená stěna</translation>
+    </message>
+    <message>
+        <source>Vertex without faces</source>
+        <translation>Vrchol bez stěn</translation>
+    </message>
+    <message>
+        <source>Vertices at one place</source>
+        <translation>Vrcholy na jednom místě</translation>
+    </message>
+    <message>
+        <source>Component turned inside out</source>
+        <translation>Komponenta naruby</translation>
+    </message>
+    <message>
+        <source>Faces that cut each other</source>
+        <translation>Protínající se stěny</translation>
+    </message>
+    <message>
+        <source>Edge %1–%2</source>
+        <translation>Hrana %1–%2</translation>
+    </message>
+    <message>
+        <source>Vertices %1 and %2</source>
+        <translation>Vrcholy %1 a %2</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Vrchol %1</translation>
+    </message>
+    <message>
+        <source>Component %1</source>
+        <translation>Komponenta %1</translation>
+    </message>
+    <message>
+        <source>Faces %1 and %2</source>
+        <translation>Stěny %1 a %2</translation>
+    </message>
+    <message>
+        <source>Face %1</source>
+        <translation>Stěna %1</translation>
+    </message>
+</context>
+<context>
+    <name>PickReport</name>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponenta</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problém</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Stěna</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vrcholy</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Plocha</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normála</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Úhly</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Strany</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Hrana</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Délka</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Stěny</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Okraj</translation>
+    </message>
+    <message>
+        <source>of a hole</source>
+        <translation>díry</translation>
+    </message>
+    <message>
+        <source>Angle between the faces</source>
+        <translation>Úhel mezi stěnami</translation>
+    </message>
+    <message>
+        <source>Vertex</source>
+        <translation>Vrchol</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Poloha</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Sousedé</translation>
+    </message>
+</context>
+<context>
     <name>QPlatformTheme</name>
     <message>
         <source>OK</source>
@@ -3507,6 +3676,81 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     </message>
 </context>
 <context>
+    <name>views::InspectorDock</name>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>Lists of the inspector</source>
+        <translation>Seznamy inspektoru</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Rows</source>
+        <translation>&amp;Kopírovat řádky</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, or all, as a table</source>
+        <translation>Kopírovat vybrané řádky, nebo všechny, jako tabulku</translation>
+    </message>
+    <message>
+        <source>&amp;Save Report…</source>
+        <translation>&amp;Uložit zprávu…</translation>
+    </message>
+    <message>
+        <source>Write everything that was found as CSV or JSON</source>
+        <translation>Zapsat vše, co bylo zjištěno, jako CSV nebo JSON</translation>
+    </message>
+    <message>
+        <source>Parts that hang together by edges. Selecting one makes the others step back.</source>
+        <translation>Části, které drží pohromadě hranami. Po výběru jedné ostatní ustoupí do pozadí.</translation>
+    </message>
+    <message>
+        <source>Missing faces: loops of edges that have a face on one side only.</source>
+        <translation>Chybějící stěny: smyčky hran, které mají stěnu jen na jedné straně.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing here: a handle is a bridge over a tunnel, as in a ring. One loop goes round it, the other through its tunnel.</source>
+        <translation>Tady nic nechybí: ucho je most přes tunel, jako u prstenu. Jedna smyčka vede kolem něj, druhá jeho tunelem.</translation>
+    </message>
+    <message>
+        <source>What a program that expects a clean surface may stumble over. Nothing is repaired unasked.</source>
+        <translation>Co může zaskočit program, který očekává čistý povrch. Nic se neopravuje bez požádání.</translation>
+    </message>
+    <message>
+        <source>Components of the mesh</source>
+        <translation>Komponenty sítě</translation>
+    </message>
+    <message>
+        <source>Holes of the mesh</source>
+        <translation>Díry sítě</translation>
+    </message>
+    <message>
+        <source>Handles of the mesh</source>
+        <translation>Ucha sítě</translation>
+    </message>
+    <message>
+        <source>Problems of the mesh</source>
+        <translation>Problémy sítě</translation>
+    </message>
+    <message>
+        <source>Components (%1)</source>
+        <translation>Komponenty (%1)</translation>
+    </message>
+    <message>
+        <source>Holes (%1)</source>
+        <translation>Díry (%1)</translation>
+    </message>
+    <message>
+        <source>Handles (%1)</source>
+        <translation>Ucha (%1)</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>Problémy (%1)</translation>
+    </message>
+</context>
+<context>
     <name>views::JobPanel</name>
     <message>
         <source>Cancel</source>
@@ -3816,6 +4060,157 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     </message>
 </context>
 <context>
+    <name>views::MeshView</name>
+    <message>
+        <source>Mesh</source>
+        <translation>Síť</translation>
+    </message>
+    <message>
+        <source>The mesh in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it.</source>
+        <translation>Síť ve 3D. Šipky ji otáčejí, plus a minus přibližují a oddalují, F ji ukáže celou.</translation>
+    </message>
+    <message>
+        <source>Colour:</source>
+        <translation>Barva:</translation>
+    </message>
+    <message>
+        <source>What colours tell</source>
+        <translation>Co říkají barvy</translation>
+    </message>
+    <message>
+        <source>Pick:</source>
+        <translation>Výběr:</translation>
+    </message>
+    <message>
+        <source>What a click picks</source>
+        <translation>Co vybere kliknutí</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Stěny</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Hrany</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vrcholy</translation>
+    </message>
+    <message>
+        <source>Draw the edges of the faces</source>
+        <translation>Kreslit hrany stěn</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Hladce</translation>
+    </message>
+    <message>
+        <source>Draw smooth surfaces instead of flat faces</source>
+        <translation>Kreslit hladký povrch místo plochých stěn</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normály</translation>
+    </message>
+    <message>
+        <source>Draw the normal of each vertex</source>
+        <translation>Kreslit normálu každého vrcholu</translation>
+    </message>
+    <message>
+        <source>See Through</source>
+        <translation>Průhledně</translation>
+    </message>
+    <message>
+        <source>Let what lies behind the surface show</source>
+        <translation>Ukázat i to, co je za povrchem</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Řez</translation>
+    </message>
+    <message>
+        <source>Cut a part of the mesh away</source>
+        <translation>Odříznout část sítě</translation>
+    </message>
+    <message>
+        <source>Loops</source>
+        <translation>Smyčky</translation>
+    </message>
+    <message>
+        <source>Draw the borders of holes and the loops of handles as tubes</source>
+        <translation>Kreslit okraje děr a smyčky uch jako trubice</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problémy</translation>
+    </message>
+    <message>
+        <source>Mark what is wrong with the mesh</source>
+        <translation>Vyznačit, co je na síti špatně</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Celé</translation>
+    </message>
+    <message>
+        <source>Move the camera so that all is seen</source>
+        <translation>Posunout kameru tak, aby bylo vidět vše</translation>
+    </message>
+    <message>
+        <source>Other Side</source>
+        <translation>Druhá strana</translation>
+    </message>
+    <message>
+        <source>Cut the other side away</source>
+        <translation>Odříznout druhou stranu</translation>
+    </message>
+    <message>
+        <source>Cut across:</source>
+        <translation>Řez kolmo na:</translation>
+    </message>
+    <message>
+        <source>Axis across which the mesh is cut</source>
+        <translation>Osa, kolmo na kterou je síť říznutá</translation>
+    </message>
+    <message>
+        <source>Where the mesh is cut</source>
+        <translation>Kde je síť říznutá</translation>
+    </message>
+    <message>
+        <source>What was picked</source>
+        <translation>Co bylo vybráno</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Žádná</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Komponenty</translation>
+    </message>
+    <message>
+        <source>Preparing the picture…</source>
+        <translation>Připravuje se obraz…</translation>
+    </message>
+    <message>
+        <source>The mesh is empty.</source>
+        <translation>Síť je prázdná.</translation>
+    </message>
+    <message>
+        <source>Analysing…</source>
+        <translation>Zkoumá se…</translation>
+    </message>
+    <message>
+        <source>Looking for handles…</source>
+        <translation>Hledají se ucha…</translation>
+    </message>
+    <message>
+        <source>Click a face, an edge or a vertex to read about it.</source>
+        <translation>Klikněte na stěnu, hranu nebo vrchol a přečtěte si o nich.</translation>
+    </message>
+</context>
+<context>
     <name>views::MessageBar</name>
     <message>
         <source>Dismiss</source>
@@ -4038,6 +4433,93 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     <message>
         <source>a number from %1 to %2</source>
         <translation>číslo od %1 do %2</translation>
+    </message>
+</context>
+<context>
+    <name>views::PartTable</name>
+    <message>
+        <source>No.</source>
+        <translation>Č.</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vrcholy</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Hrany</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Stěny</translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation>Euler</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>Rod</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Díry</translation>
+    </message>
+    <message>
+        <source>Orientable</source>
+        <translation>Orientovatelná</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Plocha</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Objem</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponenta</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Délka</translation>
+    </message>
+    <message>
+        <source>Short Loop</source>
+        <translation>Krátká smyčka</translation>
+    </message>
+    <message>
+        <source>Long Loop</source>
+        <translation>Dlouhá smyčka</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problém</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Kde</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ano</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>ne</translation>
+    </message>
+    <message>
+        <source>The number of handles; of a one-sided component that of its cross-caps</source>
+        <translation>Počet uch; u jednostranné komponenty počet křížových čepiček</translation>
+    </message>
+    <message>
+        <source>Vertices − edges + faces</source>
+        <translation>Vrcholy − hrany + stěny</translation>
+    </message>
+    <message>
+        <source>Of a flat lid that would close the hole</source>
+        <translation>Plochého víka, které by díru uzavřelo</translation>
     </message>
 </context>
 <context>

@@ -38,6 +38,10 @@ VtkView::VtkView(QWidget *parent)
     mWindow->SetMultiSamples(0);
     mWindow->SetFrameBlitModeToNoBlit();
     mWindow->AddRenderer(mRenderer);
+    mWindow->SetNumberOfLayers(2);
+    mFrontRenderer->SetLayer(1);
+    mFrontRenderer->SetActiveCamera(mRenderer->GetActiveCamera());
+    mWindow->AddRenderer(mFrontRenderer);
     for (const auto asked : {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent,
                              vtkCommand::WindowSupportsOpenGLEvent, vtkCommand::WindowIsDirectEvent})
         mWindow->AddObserver(asked, this, &VtkView::vtkAsks);
@@ -55,6 +59,7 @@ VtkView::~VtkView()
     makeCurrent();
     release();
     mWindow->RemoveAllObservers();
+    mWindow->RemoveRenderer(mFrontRenderer);
     mWindow->RemoveRenderer(mRenderer);
     doneCurrent();
 }

@@ -28,6 +28,8 @@ public:
     ~VtkView() override;
 
     vtkRenderer &renderer() { return *mRenderer; }
+    /// Drawn over the picture, whatever hides it there, with the same camera.
+    vtkRenderer &frontRenderer() { return *mFrontRenderer; }
     const model::OrbitCamera &camera() const { return mControl.camera(); }
     void setCamera(const model::OrbitCamera &camera) { mControl.setCamera(camera); }
     /// All that is drawn: near and far planes hold it. Fits it as long as nobody has moved the camera.
@@ -75,7 +77,7 @@ private:
     void placeCamera();
 
     vtkNew<vtkGenericOpenGLRenderWindow> mWindow;
-    vtkNew<vtkRenderer> mRenderer;
+    vtkNew<vtkRenderer> mRenderer, mFrontRenderer;
     CameraControl mControl;
     model::Box3f mSceneBox;
     QPointF mPressed;
