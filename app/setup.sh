@@ -4,7 +4,7 @@
 # What building and running takes on Debian 12. Everything else is a dependency of these.
 build_packages=(build-essential cmake ninja-build ccache mold pkg-config
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
-  libcgal-dev libvtk9-dev libeigen3-dev libassimp-dev libgdal-dev libzip-dev libhidapi-dev zlib1g-dev libexpected-dev libcli11-dev fonts-dejavu-core qt6-translations-l10n)
+  libcgal-dev libopenmesh-dev libvtk9-dev libeigen3-dev libassimp-dev libgdal-dev libzip-dev libhidapi-dev zlib1g-dev libexpected-dev libcli11-dev fonts-dejavu-core qt6-translations-l10n)
 # What a machine without a display needs on top, to draw into a virtual one.
 virtual_display_packages=(xvfb xauth libgl1-mesa-dri)
 # The player page: its decoder is WebAssembly. Node.js is asked for by its commands, as it often comes from elsewhere.

@@ -20,6 +20,7 @@ using Run = std::function<model::Result<void>(Console &)>;
 void addEncode(CLI::App &app, Run &run);
 void addDecode(CLI::App &app, Run &run);
 void addInfo(CLI::App &app, Run &run);
+void addInspect(CLI::App &app, Run &run);
 void addCompare(CLI::App &app, Run &run);
 void addRender(CLI::App &app, Run &run);
 void addExportPlayer(CLI::App &app, Run &run);

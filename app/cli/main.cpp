@@ -60,6 +60,7 @@ int main(int argc, char **argv)
     cli::addEncode(app, run);
     cli::addDecode(app, run);
     cli::addInfo(app, run);
+    cli::addInspect(app, run);
     cli::addCompare(app, run);
     cli::addRender(app, run);
     cli::addExportPlayer(app, run);

@@ -10,12 +10,13 @@ namespace {
 class ObjParser
 {
 public:
-    ObjParser(std::string_view text, ParsedMesh &mesh, std::vector<Vec3d> *precise)
+    ObjParser(std::string_view text, ParsedMesh &mesh, std::vector<Vec3d> *precise, Faces *faces)
         : mCursor(text)
         , mMesh(mesh)
         , mPositions(mesh.mesh.positions)
         , mTriangles(mesh.mesh.connectivity.triangles)
         , mPrecise(precise)
+        , mFaces(faces)
     {}
 
     Result<bool> parse(const Progress &progress, const KnownFaces &known)
@@ -80,17 +81,22 @@ private:
     {
         mCursor.advance();
         std::uint32_t first = 0, previous = 0;
+        mCorners.clear();
         for (unsigned corner = 0;; ++corner) {
             mCursor.skipBlanksAndContinuations();
             if (mCursor.atLineEnd() || mCursor.peek() == '#') {
-                if (corner < 3)
+                if (corner < (mFaces ? 1 : 3))
                     return mCursor.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a face with at least 3 corners"));
+                if (mFaces)
+                    mFaces->add(mCorners);
                 return {};
             }
             const Result<std::uint32_t> index = vertexIndex();
             if (!index)
                 return fail(index.error());
-            if (corner == 0)
+            if (mFaces)
+                mCorners.push_back(*index);
+            else if (corner == 0)
                 first = *index;
             else if (corner >= 2)
                 mTriangles.push_back({first, previous, *index});
@@ -124,7 +130,7 @@ private:
         const auto count = std::int64_t(mPositions.size());
         if (mFirstFace)
             mMesh.facesBegin = mCursor.offset();
-        if (count == 0)
+        if (count == 0 && !mFaces)
             return fail(ErrorCode::NoVertices);
         for (const ForwardReference &reference : mForward)
             if (reference.index > count)
@@ -147,6 +153,8 @@ private:
     std::vector<Vec3f> &mPositions;
     std::vector<Triangle> &mTriangles;
     std::vector<Vec3d> *const mPrecise;
+    Faces *const mFaces;
+    std::vector<std::uint32_t> mCorners; ///< of a face
     std::vector<ForwardReference> mForward;
     bool mFirstFace = true;
 };
@@ -154,10 +162,10 @@ private:
 } // namespace
 
 Result<bool> parseObj(std::string_view text, ParsedMesh &mesh, const Progress &progress, const KnownFaces &known,
-                      std::vector<Vec3d> *precise)
+                      std::vector<Vec3d> *precise, Faces *faces)
 {
     mesh.clear();
-    return ObjParser(text, mesh, precise).parse(progress, known);
+    return ObjParser(text, mesh, precise, faces).parse(progress, known);
 }
 
 } // namespace model::io

@@ -12,11 +12,12 @@ constexpr unsigned ItemsBetweenChecks = 1 << 16;
 class OffParser
 {
 public:
-    OffParser(std::string_view text, ParsedMesh &mesh)
+    OffParser(std::string_view text, ParsedMesh &mesh, Faces *faces)
         : mCursor(text)
         , mParsed(mesh)
         , mPositions(mesh.mesh.positions)
         , mConnectivity(mesh.mesh.connectivity)
+        , mFaces(faces)
     {}
 
     Result<bool> parse(const Progress &progress, const KnownFaces &known)
@@ -26,11 +27,12 @@ public:
         if (done)
             done = count(QT_TRANSLATE_NOOP("ErrorText", "the number of vertices"), MinVertexText, vertexCount);
         if (done)
-            done = count(QT_TRANSLATE_NOOP("ErrorText", "the number of faces"), MinFaceText, faceCount);
+            done = count(QT_TRANSLATE_NOOP("ErrorText", "the number of faces"), mFaces ? MinPointText : MinFaceText,
+                         faceCount);
         if (!done)
             return fail(std::move(done.error()));
         mCursor.skipLine(); // the number of edges, which nobody needs and not everybody writes
-        if (vertexCount == 0)
+        if (vertexCount == 0 && !mFaces)
             return fail(ErrorCode::NoVertices);
 
         mPositions.reserve(std::size_t(vertexCount));
@@ -47,7 +49,8 @@ public:
         if (known.vertexCount == vertexCount && known.announcedFaces == faceCount && known.text == mCursor.rest())
             return true;
 
-        mConnectivity.triangles.reserve(std::size_t(faceCount));
+        if (!mFaces)
+            mConnectivity.triangles.reserve(std::size_t(faceCount));
         for (std::int64_t i = 0; i < faceCount; ++i) {
             if (i % ItemsBetweenChecks == 0 && progress.isCancelled())
                 return fail(ErrorCode::Cancelled);
@@ -61,6 +64,7 @@ private:
     // What the shortest vertex "0 0 0\n" and face "3 0 0 0\n" take; the last newline may be missing.
     static constexpr std::uint64_t MinVertexText = 6;
     static constexpr std::uint64_t MinFaceText = 8;
+    static constexpr std::uint64_t MinPointText = 4; ///< a face of one corner, "1 0\n"
 
     /// [ST][C][N][4][n]OFF; may be missing altogether.
     Result<void> keyword()
@@ -122,9 +126,10 @@ private:
         mCursor.skipSpaceAndComments();
         const TextCursor start = mCursor;
         std::int64_t cornerCount = 0;
-        if (!mCursor.integer(cornerCount) || !mCursor.atTokenEnd() || cornerCount < 3)
+        if (!mCursor.integer(cornerCount) || !mCursor.atTokenEnd() || cornerCount < (mFaces ? 1 : 3))
             return start.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a face with at least 3 corners"));
         std::uint32_t first = 0, previous = 0;
+        mCorners.clear();
         for (std::int64_t corner = 0; corner < cornerCount; ++corner) {
             mCursor.skipSpaceAndComments();
             std::int64_t index = 0;
@@ -134,12 +139,16 @@ private:
             if (index < 0 || index >= std::int64_t(mConnectivity.vertexCount))
                 return failAtLine(mCursor.line(), ErrorCode::IndexOutOfRange, std::to_string(index),
                                   std::to_string(mConnectivity.vertexCount));
-            if (corner == 0)
+            if (mFaces)
+                mCorners.push_back(std::uint32_t(index));
+            else if (corner == 0)
                 first = std::uint32_t(index);
             else if (corner >= 2)
                 mConnectivity.triangles.push_back({first, previous, std::uint32_t(index)});
             previous = std::uint32_t(index);
         }
+        if (mFaces)
+            mFaces->add(mCorners);
         mCursor.skipLine(); // a colour
         return {};
     }
@@ -150,14 +159,17 @@ private:
     ParsedMesh &mParsed;
     std::vector<Vec3f> &mPositions;
     Connectivity &mConnectivity;
+    Faces *const mFaces;
+    std::vector<std::uint32_t> mCorners; ///< of a face
 };
 
 } // namespace
 
-Result<bool> parseOff(std::string_view text, ParsedMesh &mesh, const Progress &progress, const KnownFaces &known)
+Result<bool> parseOff(std::string_view text, ParsedMesh &mesh, const Progress &progress, const KnownFaces &known,
+                      Faces *faces)
 {
     mesh.clear();
-    return OffParser(text, mesh).parse(progress, known);
+    return OffParser(text, mesh, faces).parse(progress, known);
 }
 
 } // namespace model::io

@@ -177,12 +177,13 @@ template <class Values>
 class ElementReader
 {
 public:
-    ElementReader(Values values, const PlyHeader &header, TriangleMesh &mesh, std::vector<Vec3d> *precise)
+    ElementReader(Values values, const PlyHeader &header, TriangleMesh &mesh, std::vector<Vec3d> *precise, Faces *faces)
         : mValues(std::move(values))
         , mHeader(header)
         , mPositions(mesh.positions)
         , mTriangles(mesh.connectivity.triangles)
         , mPrecise(precise)
+        , mFaces(faces)
     {}
 
     Result<void> readAll(const Progress &progress)
@@ -195,7 +196,7 @@ public:
                 return fits;
             if (element.kind == Kind::Vertex)
                 mPositions.reserve(element.count);
-            if (element.kind == Kind::Face)
+            if (element.kind == Kind::Face && !mFaces)
                 mTriangles.reserve(element.count);
             for (std::uint64_t i = 0; i < element.count; ++i) {
                 if (i % ElementsBetweenChecks == 0 && progress.isCancelled())
@@ -284,10 +285,11 @@ private:
         const Result<std::uint64_t> count = readCount(property);
         if (!count)
             return fail(count.error());
-        if (*count < 3)
+        if (*count < (mFaces ? 1 : 3))
             return mValues.failExpected(QT_TRANSLATE_NOOP("ErrorText", "a face with at least 3 corners"),
                                         std::int64_t(*count));
         std::uint32_t first = 0, previous = 0;
+        mCorners.clear();
         for (std::uint64_t corner = 0; corner < *count; ++corner) {
             const Result<std::int64_t> index = mValues.integer(property.type);
             if (!index)
@@ -295,12 +297,16 @@ private:
             if (*index < 0 || *index >= std::int64_t(mHeader.vertexCount))
                 return mValues.at(
                     fail(ErrorCode::IndexOutOfRange, std::to_string(*index), std::to_string(mHeader.vertexCount)));
-            if (corner == 0)
+            if (mFaces)
+                mCorners.push_back(std::uint32_t(*index));
+            else if (corner == 0)
                 first = std::uint32_t(*index);
             else if (corner >= 2)
                 mTriangles.push_back({first, previous, std::uint32_t(*index)});
             previous = std::uint32_t(*index);
         }
+        if (mFaces)
+            mFaces->add(mCorners);
         return {};
     }
 
@@ -309,11 +315,14 @@ private:
     std::vector<Vec3f> &mPositions;
     std::vector<Triangle> &mTriangles;
     std::vector<Vec3d> *const mPrecise;
+    Faces *const mFaces;
+    std::vector<std::uint32_t> mCorners; ///< of a face
 };
 
 } // namespace
 
-Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress &progress, std::vector<Vec3d> *precise)
+Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress &progress, std::vector<Vec3d> *precise,
+                      Faces *faces)
 {
     mesh.positions.clear();
     mesh.connectivity.triangles.clear();
@@ -322,12 +331,13 @@ Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress
     if (!header)
         return fail(header.error());
     mesh.connectivity.vertexCount = std::uint32_t(header->vertexCount);
-    if (header->vertexCount == 0)
+    if (header->vertexCount == 0 && !faces)
         return fail(ErrorCode::NoVertices);
     if (header->format == PlyHeader::Format::Text)
-        return ElementReader(TextValues(cursor, precise != nullptr), *header, mesh, precise).readAll(progress);
+        return ElementReader(TextValues(cursor, precise != nullptr), *header, mesh, precise, faces).readAll(progress);
     const bool isBigEndian = header->format == PlyHeader::Format::BigEndian;
-    return ElementReader(BinaryValues(bytes, cursor.offset(), isBigEndian), *header, mesh, precise).readAll(progress);
+    return ElementReader(BinaryValues(bytes, cursor.offset(), isBigEndian), *header, mesh, precise, faces)
+        .readAll(progress);
 }
 
 } // namespace model::io

@@ -4,7 +4,7 @@
 #include "model/base/error.h"
 #include "model/base/progress.h"
 #include "model/geometry/vec3d.h"
-#include "model/mesh/trianglemesh.h"
+#include "model/mesh/faces.h"
 
 #include <string_view>
 
@@ -18,7 +18,9 @@ namespace model::io {
 ///        IndexOutOfRange, each with its line (header and text) or byte (binary); NoVertices; Cancelled
 /// Format: Turk, "The PLY Polygon File Format", 1994, with the type names of later writers (int8 ... float64).
 /// \param precise  where not null: gets the positions in double
+/// \param faces  where not null: gets the faces as they are, `mesh` gets no triangles; then faces of one or two corners
+///               and files without a vertex are fine too
 Result<void> parsePly(std::string_view bytes, TriangleMesh &mesh, const Progress &progress = Progress(),
-                      std::vector<Vec3d> *precise = nullptr);
+                      std::vector<Vec3d> *precise = nullptr, Faces *faces = nullptr);
 
 } // namespace model::io

@@ -39,6 +39,12 @@ void Faces::add(std::span<const std::uint32_t> corners)
     mCorners.insert(mCorners.end(), corners.begin(), corners.end());
 }
 
+void Faces::renameVertices(std::span<const std::uint32_t> names)
+{
+    for (std::uint32_t &vertex : mCorners)
+        vertex = names[vertex];
+}
+
 Connectivity fans(const Faces &faces, std::vector<std::uint32_t> *faceOf)
 {
     Connectivity connectivity{faces.vertexCount(), {}};

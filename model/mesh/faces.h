@@ -59,6 +59,9 @@ public:
     /// Where the side of a corner ends.
     std::uint32_t sideEnd(std::uint32_t corner) const { return mCorners[next(corner)]; }
 
+    /// Each index i becomes names[i]. Precondition: the new ones are below vertexCount().
+    void renameVertices(std::span<const std::uint32_t> names);
+
     friend bool operator==(const Faces &, const Faces &) = default;
 
 private:

@@ -83,6 +83,12 @@ CodedConnectivity assembled(Walk &walk, std::vector<std::uint32_t> welded, std::
 
 Result<EncodedConnectivity> encodeConnectivity(const Connectivity &connectivity, const Progress &progress)
 {
+    return encodeConnectivityWatched(connectivity, progress, nullptr);
+}
+
+Result<EncodedConnectivity> encodeConnectivityWatched(const Connectivity &connectivity, const Progress &progress,
+                                                      WalkObserver *observer)
+{
     if (connectivity.triangles.size() > MaxCodedTriangles)
         return fail(ErrorCode::LimitExceeded, "triangles", std::to_string(connectivity.triangles.size()),
                     std::to_string(MaxCodedTriangles));
@@ -92,7 +98,7 @@ Result<EncodedConnectivity> encodeConnectivity(const Connectivity &connectivity,
     progress.report(0.3);
 
     QueuedCoder coder;
-    MeshSource source(std::move(whole));
+    MeshSource source(std::move(whole), observer);
     const ManifoldCut &cut = source.cut();
     EdgeBreaker walk(coder, source, std::uint32_t(connectivity.triangles.size()), connectivity.vertexCount,
                      ~std::uint64_t(0));

@@ -121,6 +121,14 @@ private:
         mEdges[after].previous = before;
     }
 
+    bool isInLoop(std::uint32_t start, std::uint32_t wanted) const
+    {
+        std::uint32_t at = start;
+        while (at != wanted && mEdges[at].next != start)
+            at = mEdges[at].next;
+        return at == wanted;
+    }
+
     std::uint32_t end(std::uint32_t edge) const { return mEdges[mEdges[edge].next].vertex; }
 
     void glue(Corner a, Corner b)
@@ -157,6 +165,8 @@ private:
     std::uint32_t newHole(std::uint32_t from, std::uint32_t before)
     {
         const std::int64_t length = codeCount(mHoleLengthModel, mSource.holeLength());
+        if (mSource.isObserved())
+            mSource.observeHole(std::uint32_t(length), from != NoVertex);
         if (mHolesLeft == 0 || length < 2 || !mayOpen(std::uint64_t(length)))
             return NoEdge;
         --mHolesLeft;
@@ -277,6 +287,8 @@ private:
         const std::uint32_t left = mEdges[gate].vertex, right = mEdges[after].vertex;
         const Corner behind = mEdges[gate].corner;
         const Clers symbol = codeSymbol(mCoder, mSymbols, view(gate), mSource.symbolAt(gate, before, after));
+        if (mSource.isObserved())
+            mSource.observe(symbol);
         switch (symbol) {
         case Clers::C: {
             if (!mayOpen(1))
@@ -309,6 +321,8 @@ private:
             const std::uint32_t vertex = mEdges[target].vertex;
             if (vertex == left || vertex == right)
                 return false;
+            if (mSource.isObserved() && !isInLoop(gate, target))
+                mSource.observeHandle();
             const std::uint32_t leftEdge = add(vertex, left, right, gate);
             const std::uint32_t beforeTarget = mEdges[target].previous;
             // `before` and `target` may be the same edge, `beforeTarget` and `after` too.

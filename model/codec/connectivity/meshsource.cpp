@@ -7,8 +7,9 @@
 
 namespace model::codec {
 
-MeshSource::MeshSource(ManifoldCut cut)
+MeshSource::MeshSource(ManifoldCut cut, WalkObserver *observer)
     : mCut(std::move(cut))
+    , mObserver(observer)
     , mTriangleCount(mCut.corners.triangleCount())
     , mFaces(std::make_unique_for_overwrite<Face[]>(mTriangleCount))
     , mIsKnown(mCut.corners.vertexCount())
@@ -52,6 +53,8 @@ void MeshSource::findBorders(const CornerTable &mesh)
 
 void MeshSource::startComponent()
 {
+    if (mObserver)
+        mObserver->startComponent();
     // Parts with a border start with one of their holes; when none of them is left, those without.
     for (; mNextBorder < 3 * mTriangleCount; ++mNextBorder) {
         const Face &face = mFaces[mNextBorder / 3];

@@ -8,12 +8,41 @@
 
 namespace model::codec {
 
+/// Hears what the encoder's walk meets, triangle by triangle. Triangles are those of the input.
+class WalkObserver
+{
+public:
+    virtual ~WalkObserver() = default;
+    virtual void startComponent() = 0;
+    /// Not called for the first triangle of a component without a border: it has no symbol.
+    virtual void triangle(std::uint32_t triangle, Clers symbol) = 0;
+    /// The last triangle, an S, joins two loops of open edges: it closes a handle.
+    virtual void handle(std::uint32_t triangle) = 0;
+    /// A boundary loop.
+    /// \param triangle  whose new vertex lies on it; NoTriangle where a component starts with it
+    virtual void hole(std::uint32_t triangle, std::uint32_t length) = 0;
+
+    static constexpr std::uint32_t NoTriangle = ~std::uint32_t(0);
+};
+
+/// As encodeConnectivity(); the observer, where not null, hears of the walk, which may take longer then.
+Result<EncodedConnectivity> encodeConnectivityWatched(const Connectivity &connectivity, const Progress &progress,
+                                                      WalkObserver *observer);
+
 /// The encoder's side of EdgeBreaker: walks the mesh along with it and tells what it meets.
 class MeshSource
 {
 public:
     /// \param cut  its corner table is not kept
-    explicit MeshSource(ManifoldCut cut);
+    explicit MeshSource(ManifoldCut cut, WalkObserver *observer = nullptr);
+
+    bool isObserved() const { return mObserver != nullptr; }
+    void observe(Clers symbol) { mObserver->triangle(mTip / 3, symbol); }
+    void observeHandle() { mObserver->handle(mTip / 3); }
+    void observeHole(std::uint32_t length, bool atTip)
+    {
+        mObserver->hole(atTip ? mTip / 3 : WalkObserver::NoTriangle, length);
+    }
 
     std::int64_t holeCount() const { return mHoleCount; }
     bool hasFlips() const { return !mCut.flipped.empty(); }
@@ -90,6 +119,7 @@ private:
     bool isOpen(Corner corner) const { return mFaces[corner / 3].open >> corner % 3 & 1; }
 
     ManifoldCut mCut;
+    WalkObserver *const mObserver;
     std::uint32_t mTriangleCount;
     std::unique_ptr<Face[]> mFaces; ///< #T
     std::vector<bool> mIsKnown;     ///< #V
@@ -109,6 +139,10 @@ struct NoSource
 {
     static constexpr std::int64_t holeCount() { return 0; }
     static constexpr bool hasFlips() { return false; }
+    static constexpr bool isObserved() { return false; }
+    static constexpr void observe(Clers) {}
+    static constexpr void observeHandle() {}
+    static constexpr void observeHole(std::uint32_t, bool) {}
     static constexpr void startComponent() {}
     static constexpr bool startsAtHole() { return false; }
     static constexpr std::int64_t holeLength() { return 0; }

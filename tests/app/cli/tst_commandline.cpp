@@ -46,7 +46,7 @@ void TestCommandLine::initTestCase()
 void TestCommandLine::helpNamesEveryOption_data()
 {
     QTest::addColumn<QStringList>("words");
-    QTest::newRow("sandreel-cli") << QStringList{"encode", "decode",  "info",      "compare",    "render",
+    QTest::newRow("sandreel-cli") << QStringList{"encode", "decode",  "info",      "inspect",    "compare", "render",
                                                  "--json", "--quiet", "--version", "Exit codes", "130"};
     const QStringList input{"--base-mesh", "--animation", "Examples", "sandreel-cli "};
     QTest::newRow("encode") << input + QStringList{"INPUT",       "--output",       "-o",
@@ -59,6 +59,8 @@ void TestCommandLine::helpNamesEveryOption_data()
     QTest::newRow("decode") << input +
                                    QStringList{"INPUT", "--output", "-o", "--format", "obj|off|ply", "--mesh", ".pc2"};
     QTest::newRow("info") << input + QStringList{"INPUT"};
+    QTest::newRow("inspect") << input + QStringList{"MESH", "--frame", "--csv", "components|holes|handles|problems",
+                                                    "--self-intersections"};
     QTest::newRow("compare") << input + QStringList{"REFERENCE", "TEST", "--permutation", "--normalize", "--csv"};
     QTest::newRow("render") << input + QStringList{"INPUT", "--output", "-o",          "--frame", "--size",
                                                    "--yaw", "--pitch",  "--wireframe", "%04d"};

@@ -121,8 +121,8 @@ SlowReport slowReport(const model::Faces &faces)
         if (sides.size() == 2 && sides[0].second == sides[1].second)
             report.inconsistent.insert(edge);
     }
-    for (const auto &members :
-         classes(faces.faceCount(), [&](std::uint32_t a, std::uint32_t b) { return shareEdge(edgesOf[a], edgesOf[b]); })) {
+    for (const auto &members : classes(
+             faces.faceCount(), [&](std::uint32_t a, std::uint32_t b) { return shareEdge(edgesOf[a], edgesOf[b]); })) {
         SlowReport::Component &component = report.components.emplace_back();
         component.faces = members;
         for (const std::uint32_t f : members) {
