@@ -20,9 +20,9 @@ EditedMesh removeIsolatedVertices(const Faces &faces);
 /// Turns faces until neighbours are wound alike, the fewer of each component. What is closed comes to have its volume
 /// above zero. One-sided components stay as they are.
 EditedMesh orientFaces(const Faces &faces, std::span<const Vec3f> positions);
-/// Gives each fan of a vertex a vertex of its own, and each sheet at an edge of more than two sides its own edge:
-/// afterwards every component is a manifold, but for degenerate faces. Sides that run in opposite directions stay
-/// together in pairs, in the order of their faces.
+/// Gives each fan of a vertex a vertex of its own, and each sheet at an edge of more than two sides its own edge. Sides
+/// that run in opposite directions stay together in pairs, in the order of their faces. Where such pairs hang together
+/// over other faces at both ends of the edge, as in random soups, the edge stays what it was.
 EditedMesh splitNonManifold(const Faces &faces);
 /// Makes vertices that are at one place, in every frame, one: the first of them. Corners of a face that fall together
 /// become one; faces that keep fewer than three corners go.
