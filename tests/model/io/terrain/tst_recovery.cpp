@@ -198,6 +198,19 @@ private slots:
             if (recovered)
                 QVERIFY(findDefects(recovered->terrain.tin).empty());
         }
+        // A bit of the last frame: that frame is lost, and nothing else.
+        const auto whole = replayJournal(span(journal), span(saved), Limit);
+        QVERIFY(whole && whole->tornBytes == 0);
+        QByteArray bent = journal;
+        bent[bent.size() - 1] ^= 1;
+        const auto shorter = replayJournal(span(bent), span(saved), Limit);
+        QVERIFY(shorter && shorter->tornBytes > 0);
+        QCOMPARE(shorter->frames, whole->frames - 1);
+        // Another file of the same length.
+        QByteArray other = saved;
+        other[other.size() / 2] ^= 1;
+        SANDREEL_COMPARE_ERROR(replayJournal(span(journal), span(other), Limit), ErrorCode::ChecksumMismatch);
+        QCOMPARE(replayJournal(span(journal), span(other), Limit).error().args[0], std::string("the saved file"));
         SANDREEL_COMPARE_ERROR(replayJournal({}, span(saved), Limit), ErrorCode::Truncated);
         SANDREEL_COMPARE_ERROR(replayJournal(span("SRJOURN"), span(saved), Limit), ErrorCode::Truncated);
         SANDREEL_COMPARE_ERROR(replayJournal(span("something else"), span(saved), Limit), ErrorCode::BadMagic);
