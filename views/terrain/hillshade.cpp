@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/terrain/hillshade.h"
 
-#include "views/terrain/groundvertices.h"
+#include "views/terrain/picture/groundvertices.h"
 
 #include <QElapsedTimer>
 

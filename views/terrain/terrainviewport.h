@@ -4,7 +4,7 @@
 #include "model/document/terraindocument.h"
 #include "views/terrain/grounddispatcher.h"
 #include "views/terrain/groundray.h"
-#include "views/terrain/terrainrenderer.h"
+#include "views/terrain/picture/terrainrenderer.h"
 #include "views/viewport/cameracontrol.h"
 
 #include <QElapsedTimer>

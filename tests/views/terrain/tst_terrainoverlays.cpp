@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/testmain.h"
 #include "tests/views/terrain/groundshapes.h"
-#include "views/terrain/constraintlines.h"
 #include "views/terrain/groundlegend.h"
+#include "views/terrain/picture/constraintlines.h"
 #include "views/terrain/terrainviewport.h"
 #include "views/viewport/glsupport.h"
 

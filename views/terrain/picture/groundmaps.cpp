@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/terrain/groundmaps.h"
+#include "views/terrain/picture/groundmaps.h"
 
 #include <QVector3D>
 

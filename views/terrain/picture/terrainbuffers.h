@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "views/terrain/dirtyslots.h"
-#include "views/terrain/groundvertices.h"
+#include "views/terrain/picture/dirtyslots.h"
+#include "views/terrain/picture/groundvertices.h"
 
 #include <QOpenGLFunctions_3_3_Core>
 

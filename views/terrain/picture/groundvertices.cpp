@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/terrain/groundvertices.h"
+#include "views/terrain/picture/groundvertices.h"
 
 #include <algorithm>
 #include <cmath>

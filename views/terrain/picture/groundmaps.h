@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "views/terrain/terrainbuffers.h"
+#include "views/terrain/picture/terrainbuffers.h"
 #include "views/viewport/glpicture.h"
 
 namespace views {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/terrain/constraintlines.h"
+#include "views/terrain/picture/constraintlines.h"
 
 #include <QColor>
 

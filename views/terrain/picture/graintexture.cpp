@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/terrain/graintexture.h"
+#include "views/terrain/picture/graintexture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "model/mesh/camera.h"
 #include "model/terrain/tools/paintmask.h"
 #include "views/terrain/groundcolors.h"
-#include "views/terrain/groundmaps.h"
-#include "views/terrain/terrainbuffers.h"
+#include "views/terrain/picture/groundmaps.h"
+#include "views/terrain/picture/terrainbuffers.h"
 #include "views/terrain/terrainstyle.h"
 #include "views/viewport/glpicture.h"
 

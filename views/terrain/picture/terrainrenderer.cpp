@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/terrain/terrainrenderer.h"
+#include "views/terrain/picture/terrainrenderer.h"
 
-#include "views/terrain/constraintlines.h"
-#include "views/terrain/graintexture.h"
-#include "views/terrain/scalars.h"
+#include "views/terrain/picture/constraintlines.h"
+#include "views/terrain/picture/graintexture.h"
+#include "views/terrain/picture/scalars.h"
 
 #include <QVector3D>
 
