@@ -36,13 +36,11 @@ QString pictureName(std::size_t index)
     return QStringLiteral("frame_%1.png").arg(index + 1, 4, 10, QLatin1Char('0'));
 }
 
-Result<void> writeAll(const QDir &folder, const FrameSourcePtr &source, const std::vector<std::uint32_t> &order,
-                      const DrawFrame &draw, const Progress &progress, QStringList &written)
+Result<void> writeAll(const QDir &folder, std::size_t count, const DrawPicture &draw, const Progress &progress,
+                      QStringList &written)
 {
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto data = std::make_shared<FrameData>();
-        makeFrame(source, order[i], *data);
-        const std::optional<QImage> picture = draw(data, progress);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::optional<QImage> picture = draw(i, progress);
         if (!picture || progress.isCancelled())
             return fail(ErrorCode::Cancelled);
         if (picture->isNull())
@@ -51,7 +49,7 @@ Result<void> writeAll(const QDir &folder, const FrameSourcePtr &source, const st
         if (const auto saved = savePng(path, *picture, progress); !saved)
             return saved;
         written << path;
-        progress.report(double(i + 1) / double(order.size()));
+        progress.report(double(i + 1) / double(count));
     }
     return {};
 }
@@ -71,15 +69,14 @@ Result<void> savePng(const QString &path, const QImage &picture, const Progress 
     return io::saveBytes(path, {reinterpret_cast<const std::uint8_t *>(png.constData()), std::size_t(png.size())});
 }
 
-Result<void> savePictures(const QString &folder, const FrameSourcePtr &source, const std::vector<std::uint32_t> &order,
-                          const DrawFrame &draw, const Progress &progress)
+Result<void> savePictures(const QString &folder, std::size_t count, const DrawPicture &draw, const Progress &progress)
 {
     const bool wasThere = QDir(folder).exists();
     if (!QDir().mkpath(folder))
         return fail(
             Error{ErrorCode::CannotWrite, {"cannot make the folder"}, folder.toStdString(), Error::None, Error::None});
     QStringList written;
-    auto outcome = writeAll(QDir(folder), source, order, draw, progress, written);
+    auto outcome = writeAll(QDir(folder), count, draw, progress, written);
     if (!outcome) {
         for (const QString &path : written)
             QFile::remove(path);
@@ -87,6 +84,17 @@ Result<void> savePictures(const QString &folder, const FrameSourcePtr &source, c
             QDir().rmdir(folder);
     }
     return outcome;
+}
+
+Result<void> savePictures(const QString &folder, const FrameSourcePtr &source, const std::vector<std::uint32_t> &order,
+                          const DrawFrame &draw, const Progress &progress)
+{
+    const auto drawFrame = [&](std::size_t picture, const Progress &of) {
+        const auto data = std::make_shared<FrameData>();
+        makeFrame(source, order[picture], *data);
+        return draw(data, of);
+    };
+    return savePictures(folder, order.size(), drawFrame, progress);
 }
 
 } // namespace views

@@ -5,10 +5,6 @@
 #include "views/terrain/groundlegend.h"
 #include "views/viewport/glsupport.h"
 
-#include <QFocusEvent>
-#include <QOpenGLContext>
-#include <QOpenGLFramebufferObject>
-#include <QOpenGLVersionFunctionsFactory>
 #include <QPainter>
 
 #include <algorithm>
@@ -23,70 +19,53 @@ using namespace model::terrain;
 namespace {
 
 constexpr int HardwareSamples = 4;
-/// Of a whole terrain, what is uploaded before each repaint: the window stays awake.
-constexpr double UploadMilliseconds = 12;
-/// Milliseconds between pictures of a terrain that is not all there yet.
-constexpr int LoadingPause = 400;
+/// Of what is to be uploaded, what is sent in one turn of the event loop: the window stays awake.
+constexpr double UploadMilliseconds = 8;
 /// Milliseconds without a change after which the processor draws the shadows anew.
 constexpr int ShadowPause = 180;
 /// Radians: a terrain is looked down upon.
 constexpr float StartPitch = 0.6f;
-/// Milliseconds without a movement after which it draws all triangles of a large terrain.
-constexpr int CameraPause = 200;
-
-QOpenGLFramebufferObjectFormat pictureFormat(int samples)
-{
-    QOpenGLFramebufferObjectFormat format;
-    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    format.setSamples(samples);
-    return format;
-}
+/// Milliseconds without a movement after which the processor begins the exact picture.
+constexpr int MovePause = 150;
+/// Milliseconds between two showings of a picture in the making: showing costs as much as some steps.
+constexpr int ShowPause = 40;
 
 } // namespace
 
 TerrainViewport::TerrainViewport(const model::TerrainDocument &document, QWidget *parent)
-    : QOpenGLWidget(parent)
+    : SceneViewport(parent)
     , mDocument(document)
     , mFrame(document.tin())
-    , mControl(*this)
     , mDispatcher(*this, [this](QPointF place) { return groundAt(place); })
-    , mSamples(glSupport().isSoftware ? 0 : HardwareSamples)
+    , mLimits(glSupport().isSoftware ? StepLimits::software() : StepLimits())
 {
-    setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setTabletTracking(true);
     setAccessibleName(tr("Terrain"));
     setAccessibleDescription(
         tr("The terrain in 3D. Plus and minus zoom, Home shows all of it. While you sculpt, arrow keys "
            "move the tool and Space presses and lifts it; with Ctrl they turn the terrain."));
-    connect(&mControl, &CameraControl::moved, this, [this] {
-        if (mSamples == 0)
-            mCameraPause.start();
-        redraw();
-        emit cameraChanged();
-    });
-    connect(&mControl, &CameraControl::fitAsked, this, &TerrainViewport::fitView);
     connect(&mDocument, &model::TerrainDocument::changed, this, &TerrainViewport::documentChanged);
-    mCameraPause.setSingleShot(true);
-    mCameraPause.setInterval(CameraPause);
-    connect(&mCameraPause, &QTimer::timeout, this, &TerrainViewport::redraw);
-    mShadowPause.setSingleShot(true);
-    mShadowPause.setInterval(ShadowPause);
-    connect(&mShadowPause, &QTimer::timeout, this, qOverload<>(&QWidget::update));
-    mStyle.quality = mSamples == 0 ? GroundQuality::Medium : GroundQuality::High;
-    applyPalette();
+    for (const auto &[timer, interval] :
+         {std::pair(&mMovePause, MovePause), std::pair(&mShadowPause, ShadowPause), std::pair(&mRefining, 0)}) {
+        timer->setSingleShot(true);
+        timer->setInterval(interval);
+    }
+    for (QTimer *timer : {&mMovePause, &mShadowPause, &mRefining})
+        connect(timer, &QTimer::timeout, this, &TerrainViewport::refine);
+    mStyle.quality = isGradual() ? GroundQuality::Medium : GroundQuality::High;
+    mStyle.isDark = isDark();
     model::OrbitCamera start;
     start.pitch = StartPitch;
-    mControl.setCamera(start);
+    setCamera(start);
     fitView();
+    mMovePause.stop();
 }
 
 TerrainViewport::~TerrainViewport()
 {
     mDispatcher.setInteraction(nullptr);
-    if (context())
-        disconnect(context(), nullptr, this, nullptr);
-    releaseGl();
+    closeGl();
 }
 
 void TerrainViewport::setInteraction(GroundInteraction *interaction)
@@ -106,7 +85,7 @@ void TerrainViewport::setStyle(const TerrainStyle &style)
     if (style == mStyle)
         return;
     mStyle = style;
-    redraw();
+    redrawMoving();
     emit styleChanged();
 }
 
@@ -115,7 +94,7 @@ void TerrainViewport::setReference(std::shared_ptr<const Terrain> reference)
     mReference = std::move(reference);
     if (mRenderer)
         mRenderer->setReference(mReference);
-    update();
+    redraw();
 }
 
 void TerrainViewport::setMask(std::shared_ptr<const PaintMask> mask)
@@ -123,7 +102,7 @@ void TerrainViewport::setMask(std::shared_ptr<const PaintMask> mask)
     mMask = std::move(mask);
     if (mRenderer)
         mRenderer->setMask(mMask);
-    update();
+    redraw();
 }
 
 void TerrainViewport::setActiveTriangles(std::vector<TriangleId> triangles)
@@ -131,13 +110,31 @@ void TerrainViewport::setActiveTriangles(std::vector<TriangleId> triangles)
     mActive = std::move(triangles);
     mIsActiveStale = true;
     if (mStyle.hasActiveTriangles)
-        update();
+        redraw();
 }
 
 void TerrainViewport::redraw()
 {
-    mIsStale = true;
+    mHasNews = true;
     update();
+}
+
+void TerrainViewport::redrawMoving()
+{
+    if (isGradual())
+        mMovePause.start();
+    redraw();
+}
+
+void TerrainViewport::cameraMoved()
+{
+    redrawMoving();
+}
+
+void TerrainViewport::paletteChanged()
+{
+    mStyle.isDark = isDark();
+    redraw();
 }
 
 model::Box3f TerrainViewport::sceneBox() const
@@ -157,11 +154,6 @@ model::Box3f TerrainViewport::sceneBox() const
     return box;
 }
 
-void TerrainViewport::fitView()
-{
-    mControl.fit(sceneBox());
-}
-
 void TerrainViewport::documentChanged(const model::TerrainChange &change)
 {
     if (const auto *surface = std::get_if<model::SurfaceChanged>(&change)) {
@@ -173,130 +165,164 @@ void TerrainViewport::documentChanged(const model::TerrainChange &change)
     } else {
         return;
     }
-    if (mSamples == 0)
+    if (isGradual())
         mShadowPause.start();
-    update(); // stale only once something was uploaded
+    redraw();
 }
 
-void TerrainViewport::initializeGL()
+void TerrainViewport::makeRenderer(QOpenGLFunctions_3_3_Core &gl)
 {
-    // Called again with another context when the widget moves to another window, as docks do.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &TerrainViewport::releaseGl);
-    mGl = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(context());
-    if (!mGl)
-        return;
-    GLint texture = 0, renderbuffer = 0, viewport[2] = {};
-    mGl->glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
-    mGl->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
-    mGl->glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-    const int side = std::min(texture, renderbuffer);
-    mMaximumPictureSize = QSize(std::min(side, viewport[0]), std::min(side, viewport[1]));
-    mRenderer = std::make_unique<TerrainRenderer>(*mGl, mDocument.terrain(), mFrame);
+    mGl = &gl;
+    mRenderer = std::make_unique<TerrainRenderer>(gl, mDocument.terrain(), mFrame, mLimits.mapPieces);
     mRenderer->setReference(mReference);
     mRenderer->setMask(mMask);
-    mIsStale = mIsActiveStale = true;
+    // Where the processor draws, smoothing edges costs too much for the screen.
+    mPicture = std::make_unique<GradualPicture>(gl, *mRenderer, mLimits, isGradual() ? 0 : HardwareSamples);
+    mHasNews = mIsActiveStale = true;
     if (!mRenderer->error().isEmpty())
         qCritical("Shader: %s", qUtf8Printable(mRenderer->error()));
 }
 
-void TerrainViewport::releaseGl()
+void TerrainViewport::freeRenderer()
 {
-    if (!mRenderer)
-        return;
-    makeCurrent();
+    mOther.reset();
     mPicture.reset();
     mRenderer.reset();
     mGl = nullptr;
-    doneCurrent();
+}
+
+bool TerrainViewport::hasWork() const
+{
+    const TerrainBuffers &buffers = mRenderer->buffers();
+    return buffers.hasMore() || buffers.hasMoved() || (!mMovePause.isActive() && !mPicture->isDone());
+}
+
+bool TerrainViewport::isLoading() const
+{
+    return !mRenderer || mHasNews || mMovePause.isActive() || hasWork();
+}
+
+void TerrainViewport::takeNews()
+{
+    mHasNews = false;
+    mRenderer->upload(mStyle, UploadMilliseconds);
+    if (mStyle.hasActiveTriangles && std::exchange(mIsActiveStale, false))
+        mRenderer->setActiveTriangles(mActive);
+    mPicture->setPicture({camera(), pixelSize(), mStyle, float(devicePixelRatioF()), mShadowPause.isActive()});
+    mPicture->noteChanges();
 }
 
 void TerrainViewport::paintGL()
 {
-    if (!mRenderer)
+    if (!mRenderer || pixelSize().isEmpty())
         return;
-    mRenderer->upload(mStyle, UploadMilliseconds);
-    if (mStyle.hasActiveTriangles && std::exchange(mIsActiveStale, false))
-        mRenderer->setActiveTriangles(mActive);
-    drawPicture();
-    drawOverlay();
-    if (mRenderer->buffers().hasMore())
-        update();
-}
-
-void TerrainViewport::drawPicture()
-{
-    const QSize size = pixelSize();
-    if (!mPicture || mPicture->size() != size) {
-        mPicture = std::make_unique<QOpenGLFramebufferObject>(size, pictureFormat(mSamples));
-        mIsStale = true;
+    const bool hasNews = mHasNews;
+    takeNews();
+    if (!isGradual()) {
+        mPicture->work();
+    } else if (mMovePause.isActive() || !mPicture->hasPicture()) {
+        mPicture->work(GradualPicture::Kind::Maps);
+        mPicture->drawCoarsely();
+    } else if (hasNews) { // small edits show at once
+        mPicture->work();
     }
-    // A terrain that is being loaded is not drawn after each portion: drawing takes longer than uploading.
-    if (mRenderer->buffers().hasMore() && !mIsStale && mDrawnAgo.isValid() && mDrawnAgo.elapsed() < LoadingPause)
-        return blitPicture();
-    mDrawnAgo.start();
-    const model::Box3f changes = mRenderer->takeChanges();
-    mIsStale |= mRenderer->takeIsAllChanged();
-    TerrainPicture picture{camera(), mPicture->handle(), size, mStyle, float(devicePixelRatioF())};
-    picture.keepsShadows = mShadowPause.isActive();
-    picture.isCoarse = mCameraPause.isActive();
-    if (std::exchange(mIsStale, false))
-        mRenderer->draw(picture);
-    else if (!changes.isEmpty() || (mRenderer->hasLateShadows() && !picture.keepsShadows))
-        mRenderer->draw(picture, &changes);
-    blitPicture();
+    mPicture->show(defaultFramebufferObject());
+    mShownAgo.start();
+    drawOverlay();
+    if (hasWork())
+        mRefining.start();
 }
 
-void TerrainViewport::blitPicture()
+void TerrainViewport::refine()
 {
-    const QSize size = pixelSize();
-    mGl->glBindFramebuffer(GL_READ_FRAMEBUFFER, mPicture->handle());
-    mGl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    mGl->glDisable(GL_SCISSOR_TEST);
-    mGl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(), GL_COLOR_BUFFER_BIT,
-                           GL_NEAREST);
-    mGl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+    if (!mRenderer || pixelSize().isEmpty())
+        return;
+    if (!isGradual())
+        return update();
+    makeCurrent();
+    takeNews();
+    const bool isMoving = mMovePause.isActive();
+    bool isOld = mPicture->work(isMoving ? GradualPicture::Kind::Maps : GradualPicture::Kind::All);
+    if (mPicture->wantsCoarse() || !mPicture->hasPicture())
+        isOld |= mPicture->drawCoarsely();
+    doneCurrent();
+    mIsShownOld |= isOld;
+    if (mIsShownOld && (!hasWork() || mShownAgo.elapsed() >= ShowPause)) {
+        mIsShownOld = false;
+        update();
+    } else if (hasWork()) {
+        mRefining.start();
+    }
 }
 
 void TerrainViewport::drawOverlay()
 {
     QPainter painter(this);
-    if (!mRenderer->error().isEmpty()) {
-        painter.setPen(Qt::white);
-        painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("The graphics driver refused a shader:\n%1").arg(mRenderer->error()));
-        return;
-    }
+    if (!mRenderer->error().isEmpty())
+        return drawShaderError(painter, mRenderer->error());
     if (const GroundInteraction *interaction = mDispatcher.interaction())
         drawDrapedLines(painter, interaction->lines(), mDocument.tin(),
                         [this](const Point3 &point) { return placeOf(point); });
     if (mStyle.hasLegend && mStyle.overlay != GroundOverlay::None)
         drawGroundLegend(painter, rect(), mStyle, mRenderer->rangeOf(mStyle.overlay), mDocument.terrain());
-    if (mShowsFocus) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    drawFocus(painter);
+}
+
+bool TerrainViewport::beginPicture(QSize size, const model::OrbitCamera &camera, const StepLimits &limits)
+{
+    if (!mRenderer || !canDraw(size))
+        return false;
+    makeCurrent();
+    mOther = std::make_unique<GradualPicture>(*mGl, *mRenderer, limits, HardwareSamples);
+    // Lines as thick as on the screen, in proportion to the picture.
+    const float ratio = std::max(1.0f, float(size.height()) / float(std::max(height(), 1)));
+    mOther->setPicture({camera, size, mStyle, ratio});
+    doneCurrent();
+    return true;
+}
+
+bool TerrainViewport::beginPicture(QSize size, const model::OrbitCamera &camera)
+{
+    StepLimits limits = mLimits;
+    limits.coarsePixels = 0; // nobody sees it before it is done
+    return beginPicture(size, camera, limits);
+}
+
+bool TerrainViewport::stepPicture()
+{
+    if (!mOther)
+        return true;
+    makeCurrent();
+    mRenderer->upload(mStyle, isGradual() ? UploadMilliseconds : std::numeric_limits<double>::infinity());
+    const bool isThere = !mRenderer->buffers().hasMore() && !mRenderer->buffers().hasMoved();
+    if (isThere)
+        mOther->work();
+    doneCurrent();
+    return isThere && mOther->isDone();
+}
+
+QImage TerrainViewport::takePicture()
+{
+    if (!mOther)
+        return {};
+    makeCurrent();
+    const QImage picture = mOther->toImage();
+    if (mOther->workDone().mapSteps > 0) { // other shadows
+        mPicture->noteAll();
+        redraw();
     }
+    mOther.reset();
+    doneCurrent();
+    return picture;
 }
 
 QImage TerrainViewport::renderPicture(QSize size, const model::OrbitCamera &camera)
 {
-    if (!mRenderer || size.isEmpty() || size.width() > mMaximumPictureSize.width() ||
-        size.height() > mMaximumPictureSize.height())
+    if (!beginPicture(size, camera, StepLimits()))
         return {};
-    makeCurrent();
-    QImage picture;
-    {
-        QOpenGLFramebufferObject target(size, pictureFormat(HardwareSamples));
-        if (target.isValid()) {
-            mRenderer->upload(mStyle, std::numeric_limits<double>::infinity());
-            // Lines as thick as on the screen, in proportion to the picture.
-            const float ratio = std::max(1.0f, float(size.height()) / float(std::max(height(), 1)));
-            mRenderer->draw({camera, target.handle(), size, mStyle, ratio});
-            picture = target.toImage().convertToFormat(QImage::Format_RGB32);
-        }
-    }
-    doneCurrent();
-    return picture;
+    while (!stepPicture())
+        ;
+    return takePicture();
 }
 
 GroundRay TerrainViewport::rayAt(QPointF place) const
@@ -344,48 +370,12 @@ std::optional<QPointF> TerrainViewport::placeOf(const Point3 &point) const
                    height() / 2.0 - double(model::dot(seen, eye.up())) * scale);
 }
 
-void TerrainViewport::resizeEvent(QResizeEvent *event)
+bool TerrainViewport::handleFirst(QEvent &event)
 {
-    QOpenGLWidget::resizeEvent(event);
-    if (!mControl.isMoved() && !size().isEmpty())
-        fitView();
-}
-
-void TerrainViewport::applyPalette()
-{
-    mStyle.isDark = palette().color(QPalette::Window).lightness() < 128;
-    redraw();
-}
-
-void TerrainViewport::changeEvent(QEvent *event)
-{
-    QOpenGLWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        applyPalette();
-}
-
-bool TerrainViewport::event(QEvent *event)
-{
-    switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::FocusOut:
-        if (std::exchange(mShowsFocus, false))
-            update();
-        break;
-    case QEvent::FocusIn: {
-        const Qt::FocusReason reason = static_cast<QFocusEvent *>(event)->reason();
-        mShowsFocus =
-            reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason || reason == Qt::ShortcutFocusReason;
-        update();
-        break;
-    }
-    default:
-        break;
-    }
-    if (!mControl.isDragging() && mDispatcher.handle(*event))
+    if (!control().isDragging() && mDispatcher.handle(event))
         return true;
-    mControl.setLeftButtonTaken(mDispatcher.isActive());
-    return mControl.handle(*event) || QOpenGLWidget::event(event);
+    control().setLeftButtonTaken(mDispatcher.isActive());
+    return false;
 }
 
 } // namespace views

@@ -4,17 +4,14 @@
 #include "model/document/terraindocument.h"
 #include "views/terrain/grounddispatcher.h"
 #include "views/terrain/groundray.h"
-#include "views/terrain/picture/terrainrenderer.h"
-#include "views/viewport/cameracontrol.h"
+#include "views/terrain/picture/gradualpicture.h"
+#include "views/viewport/sceneviewport.h"
 
 #include <QElapsedTimer>
 #include <QImage>
-#include <QOpenGLWidget>
 #include <QTimer>
 
 #include <memory>
-
-class QOpenGLFramebufferObject;
 
 namespace views {
 
@@ -22,8 +19,9 @@ namespace views {
 /// GroundInteraction. Listens to the document and uploads what its edits wrote, no more.
 ///
 /// The picture of the ground is kept: moving the pointer over it, and a tool's outline, cost no drawing of the terrain.
+/// Where the processor draws, it comes in steps between which the event loop runs; see GradualPicture.
 /// Precondition: glSupport().isSufficient.
-class TerrainViewport final : public QOpenGLWidget, public GroundView
+class TerrainViewport final : public SceneViewport, public GroundView
 {
     Q_OBJECT
 
@@ -44,74 +42,70 @@ public:
     /// The triangles that erosion works on, for hasActiveTriangles.
     void setActiveTriangles(std::vector<model::terrain::TriangleId> triangles);
 
-    const model::OrbitCamera &camera() const { return mControl.camera(); }
-    void setCamera(const model::OrbitCamera &camera) { mControl.setCamera(camera); }
-    void fitView();
-    /// Factor < 1 comes nearer, to the middle of the picture.
-    void zoom(float factor) { mControl.zoom(factor); }
     /// Where a point of the ground is seen, in logical pixels; nothing behind the camera.
     std::optional<QPointF> placeOf(const model::terrain::Point3 &point) const;
 
-    /// The picture at another size than the widget's, without lines and legend; for screenshots and turntables.
+    /// The picture at another size than the widget's, without lines and legend; drawn at once.
     /// A null image if the widget was never shown or the size is not within maximumPictureSize().
     QImage renderPicture(QSize size, const model::OrbitCamera &camera);
     QImage renderPicture(QSize size) { return renderPicture(size, camera()); }
-    /// What the GPU can draw at once; empty before the widget was shown.
-    QSize maximumPictureSize() const { return mMaximumPictureSize; }
+    /// The same in steps, between which the event loop can run; instead of one that is being made. \returns false if it
+    /// cannot be drawn
+    bool beginPicture(QSize size, const model::OrbitCamera &camera);
+    /// \returns true once it is done, or can be no more
+    bool stepPicture();
+    /// Null if it could not be drawn.
+    QImage takePicture();
 
     /// Bytes sent to the GPU.
     UploadCount uploadCount() const { return mRenderer ? mRenderer->buffers().uploadCount() : UploadCount(); }
-    /// A part of the terrain is not drawn yet.
-    bool isLoading() const { return !mRenderer || mRenderer->buffers().hasMore(); }
-
-    QSize minimumSizeHint() const override { return {160, 120}; }
-    QSize sizeHint() const override { return {800, 600}; }
-
-signals:
-    void cameraChanged();
-    void styleChanged();
-
-protected:
-    void initializeGL() override;
-    void paintGL() override;
-    void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
-    bool event(QEvent *event) override;
+    /// The exact picture of what the document now holds is not shown yet.
+    bool isLoading() const;
+    GradualPicture::Work workDone() const { return mPicture ? mPicture->workDone() : GradualPicture::Work(); }
+    /// How much is drawn at once, instead of what suits the machine. Before the widget is shown.
+    void setStepLimits(const StepLimits &limits) { mLimits = limits; }
 
 private:
-    void releaseGl();
+    void makeRenderer(QOpenGLFunctions_3_3_Core &gl) override;
+    void freeRenderer() override;
+    void paintGL() override;
+    void cameraMoved() override;
+    void paletteChanged() override;
+    bool handleFirst(QEvent &event) override;
+    model::Box3f sceneBox() const override;
+
+    bool isGradual() const { return mLimits.coarsePixels > 0; }
     void documentChanged(const model::TerrainChange &change);
     void redraw();
-    void applyPalette();
-    void drawPicture();
-    void blitPicture();
+    void redrawMoving();
+    void refine();
+    bool beginPicture(QSize size, const model::OrbitCamera &camera, const StepLimits &limits);
+    void takeNews();
+    bool hasWork() const;
     void drawOverlay();
-    QSize pixelSize() const { return size() * devicePixelRatioF(); }
-    /// All of the terrain, in the scene.
-    model::Box3f sceneBox() const;
     GroundRay rayAt(QPointF place) const;
     std::optional<GroundEvent> groundAt(QPointF place) const;
 
     const model::TerrainDocument &mDocument;
     const GroundFrame mFrame;
-    CameraControl mControl;
     GroundDispatcher mDispatcher;
     TerrainStyle mStyle;
-    const int mSamples; ///< of the picture on the screen
+    StepLimits mLimits;
 
     QOpenGLFunctions_3_3_Core *mGl = nullptr; ///< the context's
     std::unique_ptr<TerrainRenderer> mRenderer;
-    std::unique_ptr<QOpenGLFramebufferObject> mPicture; ///< the ground, without lines
+    std::unique_ptr<GradualPicture> mPicture; ///< the ground, without lines
+    std::unique_ptr<GradualPicture> mOther;   ///< a picture of another size
     std::shared_ptr<const model::terrain::Terrain> mReference;
     std::shared_ptr<const model::terrain::PaintMask> mMask;
     std::vector<model::terrain::TriangleId> mActive;
     bool mIsActiveStale = true;
-    bool mIsStale = true; ///< the picture shows something else
-    QElapsedTimer mDrawnAgo;
-    QTimer mCameraPause; ///< runs while the camera moves
+    bool mHasNews = true;     ///< something was told that the picture has not heard of
+    bool mIsShownOld = false; ///< a part of the picture is newer than the screen
+    QElapsedTimer mShownAgo;
+    QTimer mMovePause;   ///< runs while camera or style change
     QTimer mShadowPause; ///< runs while shadows wait for the end of a stroke
-    QSize mMaximumPictureSize;
-    bool mShowsFocus = false; ///< got the focus by the keyboard
+    QTimer mRefining;    ///< runs while the picture has steps to do
 };
 
 } // namespace views

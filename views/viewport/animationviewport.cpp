@@ -4,10 +4,8 @@
 #include "model/animation/normalisation.h"
 #include "views/viewport/glsupport.h"
 
-#include <QFocusEvent>
-#include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
-#include <QOpenGLVersionFunctionsFactory>
+#include <QPainter>
 #include <QtConcurrentRun>
 
 #include <algorithm>
@@ -23,23 +21,16 @@ constexpr int HardwareSamples = 4;
 } // namespace
 
 AnimationViewport::AnimationViewport(Player &player, QWidget *parent)
-    : QOpenGLWidget(parent)
+    : SceneViewport(parent)
     , mPlayer(player)
-    , mControl(*this)
 {
     QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
     wanted.setSamples(glSupport().isSoftware ? 0 : HardwareSamples);
     setFormat(wanted);
-    setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Animation"));
     setAccessibleDescription(tr("The mesh in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it."));
-    applyPalette();
+    mStyle.isDark = isDark();
     mClock.start();
-    connect(&mControl, &CameraControl::moved, this, [this] {
-        update();
-        emit cameraChanged();
-    });
-    connect(&mControl, &CameraControl::fitAsked, this, &AnimationViewport::fitView);
     connect(&mPlayer, &Player::frameReady, this, [this] { update(); });
     connect(&mPlayer, &Player::sourceChanged, this, &AnimationViewport::sourceChanged);
     connect(this, &QOpenGLWidget::frameSwapped, this, &AnimationViewport::frameSwapped);
@@ -51,9 +42,7 @@ AnimationViewport::~AnimationViewport()
 {
     mBoundsProgress.cancel();
     mBoundsWatcher.disconnect(this);
-    if (context())
-        disconnect(context(), nullptr, this, nullptr);
-    releaseGl();
+    closeGl();
 }
 
 void AnimationViewport::setDrawMode(DrawMode mode)
@@ -87,11 +76,6 @@ void AnimationViewport::setGridVisible(bool visible)
     update();
 }
 
-void AnimationViewport::fitView()
-{
-    mControl.fit(sceneBox());
-}
-
 model::Box3f AnimationViewport::sceneBox() const
 {
     if (mBounds)
@@ -121,7 +105,7 @@ void AnimationViewport::boundsFound()
         return;
     const model::Box3f found = mBoundsWatcher.result();
     const std::optional<model::Box3f> before = std::exchange(mBounds, found);
-    if (!mControl.isMoved()) {
+    if (!control().isMoved()) {
         fitView();
     } else if (before && !before->isEmpty() && before->diagonal() > 0 && found.diagonal() > 0) {
         // An edit such as normalising moves and scales everything: the camera goes along. Small changes leave it.
@@ -137,33 +121,17 @@ void AnimationViewport::boundsFound()
     update();
 }
 
-void AnimationViewport::initializeGL()
+void AnimationViewport::makeRenderer(QOpenGLFunctions_3_3_Core &gl)
 {
-    // Called again with another context when the widget moves to another window, as docks do.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &AnimationViewport::releaseGl);
-    mGl = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(context());
-    if (!mGl)
-        return;
-    GLint texture = 0, renderbuffer = 0, viewport[2] = {};
-    mGl->glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
-    mGl->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
-    mGl->glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-    const int side = std::min(texture, renderbuffer);
-    mMaximumPictureSize = QSize(std::min(side, viewport[0]), std::min(side, viewport[1]));
-    mRenderer = std::make_unique<SceneRenderer>(*mGl);
+    mRenderer = std::make_unique<SceneRenderer>(gl);
     if (!mRenderer->error().isEmpty())
         qCritical("Shader: %s", qUtf8Printable(mRenderer->error()));
 }
 
-void AnimationViewport::releaseGl()
+void AnimationViewport::freeRenderer()
 {
-    if (!mRenderer)
-        return;
-    makeCurrent();
     mRenderer.reset();
-    mGl = nullptr;
     mUploaded.reset();
-    doneCurrent();
 }
 
 model::FrameSourcePtr AnimationViewport::sourceOf(const FrameData &frame) const
@@ -192,7 +160,7 @@ void AnimationViewport::uploadCurrentFrame()
     if (!mUploaded || mUploaded->frame != frame->frame)
         mShownAt.push_back(mClock.elapsed());
     mUploaded = frame;
-    if (!mControl.isMoved() && !mBounds) // until the box over all frames is known
+    if (!control().isMoved() && !mBounds) // until the box over all frames is known
         fitView();
 }
 
@@ -216,23 +184,15 @@ void AnimationViewport::paintGL()
 void AnimationViewport::drawOverlay()
 {
     QPainter painter(this);
-    if (!mRenderer->error().isEmpty()) {
-        painter.setPen(Qt::white);
-        painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("The graphics driver refused a shader:\n%1").arg(mRenderer->error()));
-        return;
-    }
+    if (!mRenderer->error().isEmpty())
+        return drawShaderError(painter, mRenderer->error());
     if (mUploaded) {
         drawAxes(painter, rect(), camera(), mStyle.isDark);
         if (mStatisticsVisible)
             drawStatistics(painter, mStatistics, mStyle.isDark);
         drawErrorScale(painter, rect(), mStyle.isDark);
     }
-    if (mShowsFocus) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect().adjusted(1, 1, -1, -1));
-    }
+    drawFocus(painter);
 }
 
 void AnimationViewport::frameSwapped()
@@ -244,8 +204,7 @@ void AnimationViewport::frameSwapped()
 QImage AnimationViewport::renderPicture(const FrameData &frame, QSize size)
 {
     const model::FrameSourcePtr source = sourceOf(frame);
-    if (!mRenderer || !source || size.isEmpty() || size.width() > mMaximumPictureSize.width() ||
-        size.height() > mMaximumPictureSize.height())
+    if (!mRenderer || !source || !canDraw(size))
         return {};
     makeCurrent();
     QOpenGLFramebufferObjectFormat format;
@@ -269,43 +228,9 @@ QImage AnimationViewport::renderPicture(const FrameData &frame, QSize size)
     return picture;
 }
 
-void AnimationViewport::resizeEvent(QResizeEvent *event)
+void AnimationViewport::paletteChanged()
 {
-    QOpenGLWidget::resizeEvent(event);
-    if (!mControl.isMoved() && !size().isEmpty())
-        fitView();
-}
-
-void AnimationViewport::applyPalette()
-{
-    mStyle.isDark = palette().color(QPalette::Window).lightness() < 128;
-    update();
-}
-
-void AnimationViewport::changeEvent(QEvent *event)
-{
-    QOpenGLWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        applyPalette();
-}
-
-bool AnimationViewport::event(QEvent *event)
-{
-    if (event->type() == QEvent::MouseButtonPress && std::exchange(mShowsFocus, false))
-        update();
-    return mControl.handle(*event) || QOpenGLWidget::event(event);
-}
-
-void AnimationViewport::focusInEvent(QFocusEvent *event)
-{
-    const Qt::FocusReason reason = event->reason();
-    mShowsFocus = reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason || reason == Qt::ShortcutFocusReason;
-    update();
-}
-
-void AnimationViewport::focusOutEvent(QFocusEvent *)
-{
-    mShowsFocus = false;
+    mStyle.isDark = isDark();
     update();
 }
 

@@ -41,7 +41,7 @@ ShaderProgram makeProgram(const ShaderFiles &files, const QByteArray &defines, Q
     return program;
 }
 
-void beginPicture(QOpenGLFunctions_3_3_Core &gl, QSize size, const QRect &part)
+void setPictureState(QOpenGLFunctions_3_3_Core &gl, QSize size, const QRect &part)
 {
     gl.glViewport(0, 0, size.width(), size.height());
     if (part.isEmpty()) {
@@ -59,10 +59,14 @@ void beginPicture(QOpenGLFunctions_3_3_Core &gl, QSize size, const QRect &part)
     gl.glDepthFunc(GL_LEQUAL);
     gl.glDepthMask(GL_TRUE);
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl.glClearColor(0.1f, 0.1f, 0.12f, 1);
-    gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     // The alpha of the picture stays 1: a window would show through otherwise.
     gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+}
+
+void clearPicture(QOpenGLFunctions_3_3_Core &gl)
+{
+    gl.glClearColor(0.1f, 0.1f, 0.12f, 1);
+    gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 QVector4D linear(const QColor &color)

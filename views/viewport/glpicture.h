@@ -26,10 +26,12 @@ struct ShaderFiles
 /// Compiles a program with OpenGL's context current. \param error  the driver's words, if it is still empty
 ShaderProgram makeProgram(const ShaderFiles &files, const QByteArray &defines, QString &error);
 
-/// Sets all state that a picture counts on (QPainter leaves its own behind), and clears colour and depth.
+/// Sets all state that a picture counts on: QPainter leaves its own behind.
 /// \param size  in pixels of the framebuffer that is bound
 /// \param part  pixels from its lower left corner: only they are cleared and drawn; empty: all
-void beginPicture(QOpenGLFunctions_3_3_Core &gl, QSize size, const QRect &part = {});
+void setPictureState(QOpenGLFunctions_3_3_Core &gl, QSize size, const QRect &part = {});
+/// Clears colour and depth, within what setPictureState() has set.
+void clearPicture(QOpenGLFunctions_3_3_Core &gl);
 
 /// A colour of the screen as light, with its opacity.
 QVector4D linear(const QColor &color);

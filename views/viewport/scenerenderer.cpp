@@ -66,7 +66,8 @@ void SceneRenderer::upload(const FrameData &frame, const model::FrameSourcePtr &
 void SceneRenderer::draw(const model::OrbitCamera &camera, QSize size, const model::Box3f &scene,
                          const ViewStyle &style)
 {
-    beginPicture(mGl, size);
+    setPictureState(mGl, size);
+    clearPicture(mGl);
     if (!mError.isEmpty() || size.isEmpty())
         return;
     const float aspect = float(size.width()) / float(size.height());

@@ -6,6 +6,7 @@ uniform vec2 uHalf; // metres
 uniform int uSquares; // along a side
 uniform sampler2D uHeights;
 uniform sampler2D uPaint;
+uniform sampler2D uNumbers;
 out vec3 vPlace;
 out vec3 vNormal;
 out vec4 vColor;
@@ -34,6 +35,6 @@ void main()
     vPlace = vec3((vec2(cell) / float(uSquares) * 2.0 - 1.0) * uHalf, max(height, -1e8)).xzy;
     vNormal = normalize(vec3(-slope.x, 1.0, -slope.y));
     vColor = textureLod(uPaint, share, 0.0);
-    vNumber = 0.0;
+    vNumber = textureLod(uNumbers, share, 0.0).r;
     gl_Position = uProjection * (uView * vec4(vHole > 0.0 ? vec3(vPlace.x, 0.0, vPlace.z) : vPlace, 1.0));
 }

@@ -4,6 +4,7 @@ layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
 uniform vec2 uSize;       // pixels of the picture
 uniform float uHalfWidth; // pixels
+uniform int uFirstLine; // of this call
 uniform usamplerBuffer uLineColors; // 0xAABBGGRR of each line
 out vec3 vColor;
 out float vAcross; // pixels from the middle of the line
@@ -16,7 +17,7 @@ void main()
     vec2 along = (b.xy / b.w - a.xy / a.w) * uSize;
     float size = length(along);
     vec2 across = size > 1e-6 ? vec2(-along.y, along.x) / size : vec2(1.0, 0.0);
-    uint color = texelFetch(uLineColors, gl_PrimitiveIDIn).r;
+    uint color = texelFetch(uLineColors, uFirstLine + gl_PrimitiveIDIn).r;
     vec3 rgb = vec3(float(color & 255u), float((color >> 8) & 255u), float((color >> 16) & 255u)) / 255.0;
     float reach = uHalfWidth + 1.0;
     for (int i = 0; i < 4; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/testmain.h"
 #include "tests/views/terrain/groundshapes.h"
+#include "tests/views/terrain/settled.h"
 #include "views/terrain/groundlegend.h"
 #include "views/terrain/picture/constraintlines.h"
 #include "views/terrain/terrainviewport.h"
@@ -84,7 +85,7 @@ private:
         const auto place = mViewport->placeOf({x, y, mDocument->tin().heightAt({x, y})});
         return image.pixelColor(place->toPoint());
     }
-    QImage picture() { return mViewport->grabFramebuffer(); }
+    QImage picture() { return tests::settled(*mViewport); }
 
 private slots:
     void initTestCase() { QVERIFY2(glSupport().isSufficient, "these tests need a display with OpenGL 3.3"); }

@@ -2,23 +2,42 @@
 #include "views/terrain/picture/dirtyslots.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace views {
 
-std::vector<model::terrain::SlotRange> DirtySlots::take(std::uint32_t limit, std::uint32_t gap)
+void DirtySlots::clear()
 {
-    std::sort(mSlots.begin(), mSlots.end());
+    std::fill(mWords.begin(), mWords.end(), 0);
+    mCount = 0;
+}
+
+std::vector<model::terrain::SlotRange> DirtySlots::take(std::uint32_t limit, std::uint32_t gap, std::size_t most)
+{
     std::vector<model::terrain::SlotRange> ranges;
-    for (const std::uint32_t slot : mSlots) {
-        mMarks.clear(slot);
-        if (slot >= limit)
-            continue;
-        if (ranges.empty() || slot > ranges.back().first + ranges.back().count + gap)
-            ranges.push_back({slot, 1});
-        else
+    const auto add = [&](std::uint32_t slot) {
+        const bool isNear =
+            !ranges.empty() && slot >= ranges.back().first && slot <= ranges.back().first + ranges.back().count + gap;
+        if (isNear)
             ranges.back().count = slot - ranges.back().first + 1;
+        else
+            ranges.push_back({slot, 1});
+    };
+    std::size_t taken = 0;
+    for (std::size_t visited = 0; visited < mWords.size() && mCount > 0 && taken < most; ++visited) {
+        mNext = mNext < mWords.size() ? mNext : 0;
+        std::uint64_t bits = std::exchange(mWords[mNext], 0);
+        for (; bits != 0; bits &= bits - 1) {
+            const auto slot = std::uint32_t(mNext * 64 + std::size_t(std::countr_zero(bits)));
+            if (slot < limit)
+                add(slot);
+            --mCount;
+            ++taken;
+        }
+        ++mNext;
     }
-    mSlots.clear();
+    if (mCount == 0)
+        mNext = 0;
     return ranges;
 }
 

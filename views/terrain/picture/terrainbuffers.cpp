@@ -49,7 +49,6 @@ void TerrainBuffers::note(const Edit &edit)
                 dirty.add(range.first + i);
     };
     add(TinPart::Points, mPlaced);
-    add(TinPart::Points, mRaised);
     add(TinPart::Heights, mRaised);
     add(TinPart::Layers, mPainted);
     add(TinPart::Triangles, mTriangles);
@@ -61,7 +60,7 @@ void TerrainBuffers::noteAll()
     mIsWhole = true;
     mNextVertex = 0;
     for (DirtySlots *dirty : {&mPlaced, &mRaised, &mTurned, &mPainted})
-        dirty->take(0, 0);
+        dirty->clear();
 }
 
 void TerrainBuffers::setScalar(std::function<float(VertexId)> scalar)
@@ -231,46 +230,67 @@ void TerrainBuffers::addToBoxes(VertexId v)
     });
 }
 
-void TerrainBuffers::sendNoted(std::uint32_t vertices, std::uint32_t triangles)
+void TerrainBuffers::sendHeights(std::uint32_t vertices)
 {
-    // Other normals: around what moved, and at triangles that are new. Vertices that have gone need no sending.
-    for (const VertexId v : mRaised.all()) {
-        if (!tin().isVertex(v))
-            continue;
-        mTurned.add(v);
-        forEachCornerAround(tin(), v, [&](Corner c) {
-            mTurned.add(tin().vertex(next(c)));
-            mTurned.add(tin().vertex(previous(c)));
-        });
-        if (v < vertices)
-            addToBoxes(v);
-    }
-    for (const TriangleId t : mTriangles.all())
-        if (tin().isTriangle(t))
-            for (std::uint32_t k = 0; k < 3; ++k)
-                mTurned.add(tin().vertex(cornerOf(t, k)));
-    const std::vector<SlotRange> turned = mTurned.take(vertices, HeightGap);
-    for (const SlotRange &range : turned)
+    for (const SlotRange &range : mTurned.take(vertices, HeightGap))
         send<GroundHeight>(Heights, range, [&](VertexId v) {
             if (!tin().isVertex(v))
                 return GroundHeight{};
             mChangedBox.add(mMaker.position(v));
             return mMaker.height(v);
         });
-    for (const SlotRange &range : mPlaced.take(vertices, HeightGap))
+}
+
+void TerrainBuffers::noteRing(VertexId v)
+{
+    mTurned.add(v);
+    forEachCornerAround(tin(), v, [&](Corner c) {
+        mTurned.add(tin().vertex(next(c)));
+        mTurned.add(tin().vertex(previous(c)));
+    });
+}
+
+void TerrainBuffers::sendNew(std::uint32_t vertices, std::uint32_t triangles)
+{
+    // Other normals, which go with those of what moved: around what has another place, and at triangles that are new.
+    // Vertices that have gone need no sending.
+    mPlaced.forEach([&](VertexId v) {
+        if (!tin().isVertex(v))
+            return;
+        noteRing(v);
+        if (v < vertices)
+            addToBoxes(v);
+    });
+    mTriangles.forEach([&](TriangleId t) {
+        if (tin().isTriangle(t))
+            for (std::uint32_t k = 0; k < 3; ++k)
+                mTurned.add(tin().vertex(cornerOf(t, k)));
+    });
+    for (const SlotRange &range : mPlaced.take(vertices, HeightGap)) {
         send<GroundPlace>(Places, range,
                           [&](VertexId v) { return tin().isVertex(v) ? mMaker.place(v) : GroundPlace{}; });
-    if (mScalar)
-        for (const SlotRange &range : mRaised.take(vertices, PaintGap))
+        if (mScalar)
             sendScalars(range);
-    mRaised.take(0, 0);
+    }
     sendPaint(mPainted.take(vertices, 0));
     for (const SlotRange &range : mTriangles.take(triangles, TriangleGap))
         sendTriangles(range);
-    if (!mChangedBox.isEmpty()) {
-        mChangedBox.min.y = std::min(mChangedBox.min.y, mChangedLow);
-        mChangedBox.max.y = std::max(mChangedBox.max.y, mChangedHigh);
-    }
+}
+
+void TerrainBuffers::sendMoved(std::uint32_t vertices, std::uint32_t most)
+{
+    std::vector<SlotRange> moved = mRaised.take(vertices, mScalar ? PaintGap : 0, most);
+    for (const SlotRange &range : moved)
+        for (VertexId v = range.first; v < range.first + range.count; ++v) {
+            if (!tin().isVertex(v))
+                continue;
+            noteRing(v);
+            addToBoxes(v);
+        }
+    sendHeights(vertices);
+    if (mScalar)
+        for (const SlotRange &range : moved)
+            sendScalars(range);
 }
 
 bool TerrainBuffers::upload(double milliseconds)
@@ -279,26 +299,33 @@ bool TerrainBuffers::upload(double milliseconds)
     mChangedBox = {};
     mChangedLow = std::numeric_limits<float>::max();
     mChangedHigh = std::numeric_limits<float>::lowest();
-    if (mRaised.count() + mPainted.count() > LargeShare * vertices || mTriangles.count() > LargeShare * triangles) {
+    if (mPlaced.count() + mPainted.count() > LargeShare * vertices || mTriangles.count() > LargeShare * triangles) {
         noteAll();
         mNextTriangle = 0;
-        mTriangles.take(0, 0);
+        mTriangles.clear();
     }
-    if (!mIsWhole && mRaised.count() + mPainted.count() + mTriangles.count() == 0)
+    if (!mIsWhole && mPlaced.count() + mRaised.count() + mPainted.count() + mTriangles.count() == 0)
         return false;
     mCount.last = 0;
     makeRoom();
     mNextVertex = std::min(mNextVertex, vertices);
     mNextTriangle = std::min(mNextTriangle, triangles);
+    QElapsedTimer clock;
+    clock.start();
     // What a whole upload has not come to yet waits for it.
-    sendNoted(mIsWhole ? mNextVertex : vertices, mIsWhole ? mNextTriangle : triangles);
+    sendNew(mIsWhole ? mNextVertex : vertices, mIsWhole ? mNextTriangle : triangles);
+    do
+        sendMoved(mIsWhole ? mNextVertex : vertices, Portion);
+    while (mRaised.count() > 0 && double(clock.nsecsElapsed()) * 1e-6 < milliseconds);
+    if (!mChangedBox.isEmpty()) {
+        mChangedBox.min.y = std::min(mChangedBox.min.y, mChangedLow);
+        mChangedBox.max.y = std::max(mChangedBox.max.y, mChangedHigh);
+    }
     if (!mIsWhole) {
         mNextVertex = vertices;
         mNextTriangle = mDrawable = triangles;
         return true;
     }
-    QElapsedTimer clock;
-    clock.start();
     while (mNextVertex < vertices || mNextTriangle < triangles) {
         if (mNextVertex < vertices) {
             const std::uint32_t count = std::min(Portion, vertices - mNextVertex);
@@ -318,7 +345,8 @@ bool TerrainBuffers::upload(double milliseconds)
     return true;
 }
 
-void TerrainBuffers::draw(const std::function<bool(const model::Box3f &)> &isVisible)
+TerrainBuffers::DrawnChunks TerrainBuffers::draw(const std::function<bool(const model::Box3f &)> &isVisible,
+                                                 std::uint32_t first, std::uint32_t most)
 {
     mGl.glBindVertexArray(mArrays[TriangleArray]);
     std::uint32_t begin = 0, end = 0; // slots to draw that are not drawn yet
@@ -327,18 +355,22 @@ void TerrainBuffers::draw(const std::function<bool(const model::Box3f &)> &isVis
             mGl.glDrawElements(GL_TRIANGLES, GLsizei(3 * (end - begin)), GL_UNSIGNED_INT,
                                reinterpret_cast<const void *>(std::size_t(begin) * 3 * sizeof(std::uint32_t)));
     };
-    for (std::uint32_t first = 0; first < mDrawable; first += ChunkSize) {
-        const model::Box3f &box = mBoxes[first / ChunkSize];
+    DrawnChunks drawn{first, 0};
+    for (; drawn.next < chunkCount() && drawn.count < most; ++drawn.next) {
+        const model::Box3f &box = mBoxes[drawn.next];
         if (box.isEmpty() || !isVisible(box))
             continue;
-        if (first != end) {
+        ++drawn.count;
+        const std::uint32_t slot = drawn.next * ChunkSize;
+        if (slot != end) {
             flush();
-            begin = first;
+            begin = slot;
         }
-        end = std::min(first + ChunkSize, mDrawable);
+        end = std::min(slot + ChunkSize, mDrawable);
     }
     flush();
     mGl.glBindVertexArray(0);
+    return drawn;
 }
 
 void TerrainBuffers::setExtra(Extra extra, const std::vector<std::uint32_t> &indices)
@@ -349,14 +381,23 @@ void TerrainBuffers::setExtra(Extra extra, const std::vector<std::uint32_t> &ind
                      GL_DYNAMIC_DRAW);
 }
 
-void TerrainBuffers::drawExtra(Extra extra)
+std::uint32_t TerrainBuffers::extraCount(Extra extra) const
 {
-    if (mExtraCounts[int(extra)] == 0 || mCapacities[Places] == 0)
-        return;
-    mGl.glBindVertexArray(mArrays[extra == Extra::Lines ? ExtraLineArray : ExtraTriangleArray]);
-    mGl.glDrawElements(extra == Extra::Lines ? GL_LINES : GL_TRIANGLES, mExtraCounts[int(extra)], GL_UNSIGNED_INT,
-                       nullptr);
+    return std::uint32_t(mExtraCounts[int(extra)]) / (extra == Extra::Lines ? 2 : 3);
+}
+
+std::uint32_t TerrainBuffers::drawExtra(Extra extra, std::uint32_t first, std::uint32_t most)
+{
+    const bool isLines = extra == Extra::Lines;
+    const std::uint32_t corners = isLines ? 2 : 3;
+    const std::uint32_t count = std::min(most, extraCount(extra) - first);
+    if (count == 0 || mCapacities[Places] == 0)
+        return extraCount(extra);
+    mGl.glBindVertexArray(mArrays[isLines ? ExtraLineArray : ExtraTriangleArray]);
+    mGl.glDrawElements(isLines ? GL_LINES : GL_TRIANGLES, GLsizei(corners * count), GL_UNSIGNED_INT,
+                       reinterpret_cast<const void *>(std::size_t(corners) * first * sizeof(std::uint32_t)));
     mGl.glBindVertexArray(0);
+    return first + count;
 }
 
 } // namespace views

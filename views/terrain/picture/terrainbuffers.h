@@ -7,6 +7,7 @@
 #include <QOpenGLFunctions_3_3_Core>
 
 #include <functional>
+#include <limits>
 
 namespace views {
 
@@ -35,10 +36,12 @@ public:
     /// Another number for each vertex goes with it, computed when it is uploaded; null: none. All are sent again.
     void setScalar(std::function<float(model::terrain::VertexId)> scalar);
 
-    /// Sends what was noted. Of a whole terrain, no more than fits into `milliseconds`: then hasMore() remains, and
-    /// triangles are there once all their vertices are. \returns whether anything was sent
+    /// Sends what was noted, what is new always, of what only moved up or down no more than fits into `milliseconds`:
+    /// then hasMoved() remains. Of a whole terrain no more than that either: then hasMore() remains, and triangles are
+    /// there once all their vertices are. \returns whether anything was sent
     bool upload(double milliseconds);
     bool hasMore() const { return mIsWhole; }
+    bool hasMoved() const { return mRaised.count() > 0; }
     const UploadCount &uploadCount() const { return mCount; }
 
     /// The box around everything uploaded, in the scene.
@@ -47,19 +50,27 @@ public:
     /// in it. Empty: nothing.
     const model::Box3f &changedBox() const { return mChangedBox; }
 
-    /// Draws the triangles of those chunks (ChunkSize slots each) whose box `isVisible`.
+    static constexpr std::uint32_t ChunkSize = 4096; ///< slots of triangles
+    std::uint32_t chunkCount() const { return (mDrawable + ChunkSize - 1) / ChunkSize; }
+    struct DrawnChunks
+    {
+        std::uint32_t next = 0; ///< where to go on; chunkCount() at the end
+        std::uint32_t count = 0;
+    };
+    /// Draws the triangles of those chunks from `first` on whose box `isVisible`, but of no more than `most`.
     /// Attributes: 0 place (x, z), 1 height, 2 normal x and z, 3 colour and humidity, 4 the number.
-    void draw(const std::function<bool(const model::Box3f &)> &isVisible);
+    DrawnChunks draw(const std::function<bool(const model::Box3f &)> &isVisible, std::uint32_t first = 0,
+                     std::uint32_t most = std::numeric_limits<std::uint32_t>::max());
     /// Lines or triangles drawn besides, by the numbers of their vertices.
     enum class Extra : std::uint8_t { Lines, Triangles };
     void setExtra(Extra extra, const std::vector<std::uint32_t> &indices);
-    void drawExtra(Extra extra);
+    std::uint32_t extraCount(Extra extra) const;
+    /// Draws some of them from the `first` on. \returns the one after
+    std::uint32_t drawExtra(Extra extra, std::uint32_t first, std::uint32_t most);
 
     /// The smallest and the largest number of a vertex that was sent since setScalar().
     float lowestScalar() const { return mLowestScalar; }
     float highestScalar() const { return mHighestScalar; }
-
-    static constexpr std::uint32_t ChunkSize = 4096;
 
 private:
     enum Buffer { Places, Heights, Paints, Scalars, Triangles, ExtraLines, ExtraTriangles, BufferCount };
@@ -78,7 +89,9 @@ private:
     void sendPaint(const std::vector<model::terrain::SlotRange> &ranges);
     void sendScalars(model::terrain::SlotRange range);
     void sendTriangles(model::terrain::SlotRange range);
-    void sendNoted(std::uint32_t vertices, std::uint32_t triangles);
+    void sendNew(std::uint32_t vertices, std::uint32_t triangles);
+    void sendMoved(std::uint32_t vertices, std::uint32_t most);
+    void sendHeights(std::uint32_t vertices);
     void noteRing(model::terrain::VertexId v);
     void addToBoxes(model::terrain::VertexId v);
     void noteHeights(const model::Box3f &chunk);
@@ -95,7 +108,7 @@ private:
     std::uint32_t mDrawable = 0; ///< triangle slots that are complete
     GLsizei mExtraCounts[2] = {};
     DirtySlots mPlaced;  ///< vertices with another place
-    DirtySlots mRaised;  ///< vertices with another place or height
+    DirtySlots mRaised;  ///< vertices with another height
     DirtySlots mTurned;  ///< vertices whose height or normal is to be sent
     DirtySlots mPainted; ///< vertices with other layers
     DirtySlots mTriangles;

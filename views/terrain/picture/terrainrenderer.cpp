@@ -2,15 +2,11 @@
 #include "views/terrain/picture/terrainrenderer.h"
 
 #include "views/terrain/picture/constraintlines.h"
-#include "views/terrain/picture/graintexture.h"
 #include "views/terrain/picture/scalars.h"
-
-#include <QVector3D>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace views {
@@ -19,24 +15,10 @@ using namespace model::terrain;
 
 namespace {
 
-constexpr double Degree = std::numbers::pi / 180;
 constexpr double SteepestSlope = 60; ///< degrees, with the last colour
-/// Side of a tile of grains, as a share of the terrain's longer side: grains as in a sandbox, whatever the terrain's
-/// size.
-constexpr float TileShare = 0.055f;
 constexpr float LineHalfWidth = 0.9f;
 const QVector4D ActiveColor(1.0f, 0.36f, 0.08f, 0.55f);
-
-enum Unit { LightUnit, GrainUnit, LineColorUnit, HeightUnit, PaintUnit };
-
-/// Squares along a side of the grid that stands for a terrain of more triangles than this while the camera moves.
-constexpr int CoarseSquares = 200;
-constexpr std::uint32_t CoarseFrom = 150000;
-
-QVector3D toQt(model::Vec3f v)
-{
-    return {v.x, v.y, v.z};
-}
+constexpr int LineColorUnit = 0;
 
 std::array<float, 4> clipOf(const model::Matrix4 &matrix, const model::Box3f &box, int corner)
 {
@@ -47,12 +29,6 @@ std::array<float, 4> clipOf(const model::Matrix4 &matrix, const model::Box3f &bo
         for (std::size_t column = 0; column < 4; ++column)
             clip[row] += matrix[column * 4 + row] * p[column];
     return clip;
-}
-
-bool contains(const model::Box3f &outer, const model::Box3f &inner)
-{
-    return inner.isEmpty() || (outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && outer.min.z <= inner.min.z &&
-                               outer.max.x >= inner.max.x && outer.max.y >= inner.max.y && outer.max.z >= inner.max.z);
 }
 
 /// Its numbers go to the GPU with the vertices.
@@ -67,13 +43,27 @@ bool hasShadows(const TerrainStyle &style)
     return style.quality != GroundQuality::Low && style.look != GroundLook::Reference;
 }
 
-/// Room for digging and heaping, before the depth planes have to move.
-model::Box3f roomy(model::Box3f box)
+int mapSideFor(const TerrainStyle &style)
 {
-    const float room = 0.3f * box.size().y + 0.02f * box.diagonal();
-    box.min.y -= room;
-    box.max.y += room;
-    return box;
+    return style.quality == GroundQuality::High ? 1024 : 512;
+}
+
+/// Maps a part of the clip volume to all of it.
+model::Matrix4 cropTo(const QRect &part, QSize size)
+{
+    model::Matrix4 crop{};
+    crop[0] = float(size.width()) / float(part.width());
+    crop[5] = float(size.height()) / float(part.height());
+    crop[10] = crop[15] = 1;
+    crop[12] = float(size.width() - 2 * part.x()) / float(part.width()) - 1;
+    crop[13] = float(size.height() - 2 * part.y()) / float(part.height()) - 1;
+    return crop;
+}
+
+model::Matrix4 projectionOf(const TerrainPicture &picture, const model::Box3f &box)
+{
+    const float aspect = float(picture.size.width()) / float(std::max(picture.size.height(), 1));
+    return picture.camera.projectionMatrix(aspect, box);
 }
 
 } // namespace
@@ -92,41 +82,26 @@ bool isInView(const model::Matrix4 &matrix, const model::Box3f &box)
     return std::none_of(std::begin(outside), std::end(outside), [](int count) { return count == 8; });
 }
 
-model::Vec3f sunDirection(const TerrainStyle &style)
-{
-    const double azimuth = style.sunAzimuth * Degree, elevation = style.sunElevation * Degree;
-    return {float(std::sin(azimuth) * std::cos(elevation)), float(std::sin(elevation)),
-            float(-std::cos(azimuth) * std::cos(elevation))};
-}
-
-TerrainRenderer::TerrainRenderer(QOpenGLFunctions_3_3_Core &gl, const Terrain &terrain, const GroundFrame &frame)
+TerrainRenderer::TerrainRenderer(QOpenGLFunctions_3_3_Core &gl, const Terrain &terrain, const GroundFrame &frame,
+                                 int mapPieces)
     : mGl(gl)
     , mTerrain(terrain)
     , mFrame(frame)
     , mBuffers(gl, terrain, frame)
     , mBackdrop(gl, mError)
-    , mMaps(gl, frame, mError)
+    , mMaps(gl, frame, mapPieces, mError)
+    , mShading(gl, frame, mError)
     , mLines(makeProgram({"terrain/lines.vert", "terrain/lines.frag", "terrain/lines.geom"}, {}, mError))
     , mFlat(makeProgram({"terrain/terrain.vert", "terrain/flat.frag", {}}, {}, mError))
 {
-    const std::vector<std::uint8_t> grains = makeGrains();
-    mGl.glGenTextures(1, &mGrains);
-    mGl.glBindTexture(GL_TEXTURE_2D, mGrains);
-    mGl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, GrainSide, GrainSide, 0, GL_RGBA, GL_UNSIGNED_BYTE, grains.data());
-    mGl.glGenerateMipmap(GL_TEXTURE_2D);
-    mGl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    mGl.glBindTexture(GL_TEXTURE_2D, 0);
-    mGl.glGenVertexArrays(1, &mEmptyArray);
     mGl.glGenBuffers(1, &mLineColors);
     mGl.glGenTextures(1, &mLineTexture);
 }
 
 TerrainRenderer::~TerrainRenderer()
 {
-    mGl.glDeleteTextures(1, &mGrains);
     mGl.glDeleteTextures(1, &mLineTexture);
     mGl.glDeleteBuffers(1, &mLineColors);
-    mGl.glDeleteVertexArrays(1, &mEmptyArray);
 }
 
 void TerrainRenderer::note(const Edit &edit)
@@ -198,7 +173,7 @@ model::Box3f TerrainRenderer::takeChanges()
 
 bool TerrainRenderer::takeIsAllChanged()
 {
-    return std::exchange(mIsAllChanged, false) || !contains(mDepthBox, mBuffers.box());
+    return std::exchange(mIsAllChanged, false);
 }
 
 GroundRange TerrainRenderer::rangeOf(GroundOverlay overlay) const
@@ -234,90 +209,53 @@ double TerrainRenderer::contourInterval(const TerrainStyle &style) const
     return roundUp(mBuffers.box().isEmpty() ? 1 : double(mBuffers.box().size().y) / 20);
 }
 
-bool TerrainRenderer::canBeCoarse(const TerrainStyle &style) const
+bool TerrainRenderer::isLarge() const
 {
-    return mTerrain.tin.triangleCount() > CoarseFrom && !mBuffers.hasMore() && !style.hasWireframe &&
-           !isScalarOverlay(style.overlay);
+    return mTerrain.tin.triangleCount() > GroundShading::gridTriangles();
 }
 
-QOpenGLShaderProgram &TerrainRenderer::groundProgram(const TerrainStyle &style, bool isCoarse)
+bool TerrainRenderer::wantsLight(const TerrainPicture &picture) const
 {
-    QByteArray defines;
-    if (isCoarse)
-        defines += "#define COARSE\n";
-    if (style.overlay != GroundOverlay::None) {
-        defines += "#define OVERLAY\n";
-    } else {
-        if (style.quality != GroundQuality::Low || style.look == GroundLook::Reference)
-            defines += "#define DETAIL\n";
-        if (style.look == GroundLook::Reference)
-            defines += "#define REFERENCE\n";
-        else if (style.quality == GroundQuality::High)
-            defines += "#define TRIPLANAR\n";
+    return hasShadows(picture.style) && !(picture.keepsShadows && mMaps.hasLight());
+}
+
+bool TerrainRenderer::hasLateShadows(const TerrainStyle &style) const
+{
+    return hasShadows(style) && !mMaps.lightChanges().isEmpty();
+}
+
+bool TerrainRenderer::hasMapWork(const TerrainPicture &picture) const
+{
+    if (mBuffers.hasMore())
+        return false;
+    const bool isLit = wantsLight(picture);
+    if (mMaps.side() != mapSideFor(picture.style) || mMaps.areHeightsStale())
+        return isLit || (isLarge() && picture.isCoarse);
+    return isLit && (mMaps.isLightStale() || !mMaps.isAimedAt(sunDirection(picture.style)));
+}
+
+model::Box3f TerrainRenderer::stepMaps(const TerrainPicture &picture)
+{
+    mMaps.setSide(mapSideFor(picture.style));
+    if (mMaps.areHeightsStale()) {
+        mMaps.stepHeights(mBuffers);
+        return {};
     }
-    if (style.hasWireframe)
-        defines += "#define EDGES\n";
-    ShaderProgram &program = mGround[defines];
-    if (!program)
-        program = makeProgram({isCoarse ? "terrain/coarse.vert" : "terrain/terrain.vert", "terrain/terrain.frag",
-                               style.hasWireframe ? QStringLiteral("terrain/edges.geom") : QString()},
-                              defines, mError);
-    return *program;
+    const model::Box3f lit = mMaps.aimLight(mBuffers.box(), sunDirection(picture.style));
+    if (mMaps.isLightStale())
+        mMaps.stepLight();
+    return lit;
 }
 
-void TerrainRenderer::use(QOpenGLShaderProgram &program)
+QRect TerrainRenderer::partOf(const TerrainPicture &picture, const model::Box3f &box) const
 {
-    program.bind();
-    mGl.glUniformMatrix4fv(program.uniformLocation("uView"), 1, GL_FALSE, mView.data());
-    mGl.glUniformMatrix4fv(program.uniformLocation("uProjection"), 1, GL_FALSE, mProjection.data());
-}
-
-void TerrainRenderer::setGround(QOpenGLShaderProgram &program, const TerrainPicture &picture)
-{
-    const TerrainStyle &style = picture.style;
-    const bool hasMaps = hasShadows(style) && !mBuffers.hasMore();
-    program.setUniformValue("uEye", toQt(picture.camera.position()));
-    program.setUniformValue("uSun", toQt(sunDirection(style)));
-    program.setUniformValue("uHalf", mFrame.halfX(), mFrame.halfY());
-    program.setUniformValue("uTile", 2 * std::max(mFrame.halfX(), mFrame.halfY()) * TileShare);
-    program.setUniformValue("uHasMaps", hasMaps);
-    program.setUniformValue("uLight", int(LightUnit));
-    program.setUniformValue("uGrains", int(GrainUnit));
-    const double interval = style.hasContours ? contourInterval(style) : 0;
-    program.setUniformValue("uContour", float(interval));
-    // The lines lie at whole multiples from height 0, wherever the scene's middle is; each fifth is a thick one.
-    program.setUniformValue("uContourPhase", interval > 0 ? float(std::fmod(mFrame.middle().z / interval, 5)) : 0.0f);
-    if (style.overlay != GroundOverlay::None) {
-        GroundRange range = rangeOf(style.overlay);
-        if (style.overlay == GroundOverlay::Height) {
-            range.low -= mFrame.middle().z;
-            range.high -= mFrame.middle().z;
-        } else if (style.overlay == GroundOverlay::Humidity) {
-            range = {0, 1};
-        }
-        std::array<QVector3D, 9> colors;
-        for (std::size_t i = 0; i < colors.size(); ++i) {
-            const QRgb color = colorsOf(style.overlay)[i];
-            colors[i] = QVector3D(float(qRed(color)), float(qGreen(color)), float(qBlue(color))) / 255;
-        }
-        program.setUniformValue("uKind", std::min(int(style.overlay), 4));
-        program.setUniformValue("uRange", float(range.low), float(range.high));
-        program.setUniformValueArray("uColors", colors.data(), int(colors.size()));
-    }
-    mGl.glActiveTexture(GL_TEXTURE0 + GrainUnit);
-    mGl.glBindTexture(GL_TEXTURE_2D, mGrains);
-    mGl.glActiveTexture(GL_TEXTURE0 + LightUnit);
-    mGl.glBindTexture(GL_TEXTURE_2D, hasMaps ? mMaps.light() : 0);
-}
-
-QRect TerrainRenderer::partOf(const model::Box3f &box, QSize size) const
-{
-    const model::Matrix4 whole = model::multiply(mProjection, mView);
+    const QRect all(QPoint(0, 0), picture.size);
+    const model::Matrix4 whole = model::multiply(projectionOf(picture, mBuffers.box()), picture.camera.viewMatrix());
     float low[2] = {1, 1}, high[2] = {-1, -1};
     for (int corner = 0; corner < 8; ++corner) {
         const std::array<float, 4> clip = clipOf(whole, box, corner);
         if (clip[3] <= 0)
-            return {};
+            return all;
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const float place = std::clamp(clip[axis] / clip[3], -1.0f, 1.0f);
             low[axis] = std::min(low[axis], place);
@@ -326,92 +264,90 @@ QRect TerrainRenderer::partOf(const model::Box3f &box, QSize size) const
     }
     constexpr int Edge = 4; // lines are wider than what they lie on
     const auto pixel = [](float place, int count) { return (place * 0.5f + 0.5f) * float(count); };
-    const QPoint from(int(std::floor(pixel(low[0], size.width()))) - Edge,
-                      int(std::floor(pixel(low[1], size.height()))) - Edge);
-    const QPoint to(int(std::ceil(pixel(high[0], size.width()))) + Edge,
-                    int(std::ceil(pixel(high[1], size.height()))) + Edge);
-    return QRect(from, to).intersected(QRect(QPoint(0, 0), size));
+    const QPoint from(int(std::floor(pixel(low[0], all.width()))) - Edge,
+                      int(std::floor(pixel(low[1], all.height()))) - Edge);
+    const QPoint to(int(std::ceil(pixel(high[0], all.width()))) + Edge,
+                    int(std::ceil(pixel(high[1], all.height()))) + Edge);
+    return QRect(from, to).intersected(all);
 }
 
-void TerrainRenderer::draw(const TerrainPicture &picture, const model::Box3f *changes)
+void TerrainRenderer::begin(const TerrainPicture &picture, const QRect &part, PartProgress &progress)
 {
-    const TerrainStyle &style = picture.style;
-    model::Box3f wide = changes ? *changes : model::Box3f();
-    const bool isLit = hasShadows(style) && !mBuffers.hasMore();
-    if (isLit && !(picture.keepsShadows && mHasShadows)) {
-        wide.add(mMaps.lightChanges());
-        mMaps.updateHeights(mBuffers, style.quality == GroundQuality::High ? 1024 : 512);
-        mMaps.updateLight(mBuffers.box(), sunDirection(style));
-        if (changes && !wide.isEmpty())
-            wide = GroundMaps::litBox(wide, mBuffers.box(), sunDirection(style));
+    progress.isBegun = true;
+    progress.view = picture.camera.viewMatrix();
+    progress.projection = projectionOf(picture, mBuffers.box());
+    progress.seen = model::multiply(cropTo(part, picture.size), model::multiply(progress.projection, progress.view));
+    clearPicture(mGl);
+    if (mError.isEmpty())
+        mBackdrop.draw(float(picture.size.width()) / float(std::max(picture.size.height(), 1)), picture.style.isDark);
+}
+
+void TerrainRenderer::use(QOpenGLShaderProgram &program, const PartProgress &progress)
+{
+    program.bind();
+    mGl.glUniformMatrix4fv(program.uniformLocation("uView"), 1, GL_FALSE, progress.view.data());
+    mGl.glUniformMatrix4fv(program.uniformLocation("uProjection"), 1, GL_FALSE, progress.projection.data());
+}
+
+void TerrainRenderer::drawPart(const TerrainPicture &picture, GLuint framebuffer, const QRect &part,
+                               PartProgress &progress, std::uint32_t mostChunks)
+{
+    mGl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    setPictureState(mGl, picture.size, part);
+    if (!progress.isBegun)
+        begin(picture, part, progress);
+    const std::uint32_t most = std::min(mostChunks, 1u << 16) * TerrainBuffers::ChunkSize; // of lines and triangles
+    if (!mError.isEmpty()) {
+        progress.isDone = true;
+    } else if (drawGround(picture, progress, mostChunks)) {
+        const TerrainStyle &style = picture.style;
+        const bool hasActive = style.hasActiveTriangles && !picture.isCoarse;
+        const bool hasLines = style.edges != GroundEdges::None && !picture.isCoarse;
+        progress.isDone =
+            (!hasActive || drawActive(progress, most)) && (!hasLines || drawLines(picture, progress, most));
     }
-    mHasShadows = isLit;
-    const bool isCoarse = picture.isCoarse && canBeCoarse(style);
-    if (isCoarse)
-        mMaps.updateHeights(mBuffers, std::max(mMaps.side(), 512));
-    mGl.glBindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer);
-    const float aspect = float(picture.size.width()) / float(std::max(picture.size.height(), 1));
-    mView = picture.camera.viewMatrix();
-    if (!contains(mDepthBox, mBuffers.box()))
-        mDepthBox = roomy(mBuffers.box());
-    mProjection = picture.camera.projectionMatrix(aspect, mDepthBox);
-    model::Matrix4 seen = model::multiply(mProjection, mView);
-    QRect part;
-    if (changes && !wide.isEmpty()) {
-        part = partOf(wide, picture.size);
-        if (!part.isEmpty()) { // for culling, the part fills the picture
-            model::Matrix4 crop{};
-            crop[0] = float(picture.size.width()) / float(part.width());
-            crop[5] = float(picture.size.height()) / float(part.height());
-            crop[10] = crop[15] = 1;
-            crop[12] = float(picture.size.width() - 2 * part.x()) / float(part.width()) - 1;
-            crop[13] = float(picture.size.height() - 2 * part.y()) / float(part.height()) - 1;
-            seen = model::multiply(crop, seen);
-        }
-    }
-    beginPicture(mGl, picture.size, part);
-    if (!mError.isEmpty() || picture.size.isEmpty())
-        return;
-    mBackdrop.draw(aspect, style.isDark);
-    QOpenGLShaderProgram &ground = groundProgram(style, isCoarse);
-    if (!mError.isEmpty())
-        return;
-    use(ground);
-    setGround(ground, picture);
-    if (isCoarse)
-        drawCoarsely(ground);
-    else
-        mBuffers.draw([&seen](const model::Box3f &box) { return isInView(seen, box); });
-    if (style.hasActiveTriangles)
-        drawActive();
-    if (style.edges != GroundEdges::None)
-        drawLines(picture);
     mGl.glUseProgram(0);
     mGl.glDisable(GL_SCISSOR_TEST);
 }
 
-void TerrainRenderer::drawCoarsely(QOpenGLShaderProgram &program)
+// These draw the next of their things. True if there are no more.
+
+bool TerrainRenderer::drawGround(const TerrainPicture &picture, PartProgress &progress, std::uint32_t mostChunks)
 {
-    program.setUniformValue("uSquares", CoarseSquares);
-    program.setUniformValue("uHeights", int(HeightUnit));
-    program.setUniformValue("uPaint", int(PaintUnit));
-    mGl.glActiveTexture(GL_TEXTURE0 + HeightUnit);
-    mGl.glBindTexture(GL_TEXTURE_2D, mMaps.heights());
-    mGl.glActiveTexture(GL_TEXTURE0 + PaintUnit);
-    mGl.glBindTexture(GL_TEXTURE_2D, mMaps.paint());
-    mGl.glActiveTexture(GL_TEXTURE0);
-    mGl.glBindVertexArray(mEmptyArray);
-    mGl.glDrawArrays(GL_TRIANGLES, 0, 6 * CoarseSquares * CoarseSquares);
-    mGl.glBindVertexArray(0);
+    progress.drawnChunks = 0;
+    if (progress.chunk >= mBuffers.chunkCount())
+        return true;
+    const bool isGrid = picture.isCoarse && isLarge() && mMaps.hasHeights();
+    const GroundShading::Scene scene{picture,
+                                     mMaps,
+                                     hasShadows(picture.style) && mMaps.hasLight() && !mBuffers.hasMore(),
+                                     isGrid,
+                                     rangeOf(picture.style.overlay),
+                                     picture.style.hasContours ? contourInterval(picture.style) : 0};
+    QOpenGLShaderProgram *program = mShading.use(scene);
+    if (!program)
+        return true;
+    use(*program, progress);
+    if (isGrid) {
+        mShading.drawGrid(*program, mMaps);
+        progress.chunk = mBuffers.chunkCount();
+        return true;
+    }
+    const TerrainBuffers::DrawnChunks drawn = mBuffers.draw(
+        [&](const model::Box3f &box) { return isInView(progress.seen, box); }, progress.chunk, mostChunks);
+    progress.chunk = drawn.next;
+    progress.drawnChunks = drawn.count;
+    return progress.chunk >= mBuffers.chunkCount();
 }
 
-void TerrainRenderer::drawActive()
+bool TerrainRenderer::drawActive(PartProgress &progress, std::uint32_t most)
 {
-    use(*mFlat);
+    use(*mFlat, progress);
     mFlat->setUniformValue("uFlat", ActiveColor);
     mGl.glEnable(GL_BLEND);
-    mBuffers.drawExtra(TerrainBuffers::Extra::Triangles);
+    progress.active = mBuffers.drawExtra(TerrainBuffers::Extra::Triangles, progress.active, most);
     mGl.glDisable(GL_BLEND);
+    return progress.active >= mBuffers.extraCount(TerrainBuffers::Extra::Triangles);
 }
 
 void TerrainRenderer::updateLines(const TerrainStyle &style)
@@ -429,21 +365,22 @@ void TerrainRenderer::updateLines(const TerrainStyle &style)
     mGl.glBindBuffer(GL_TEXTURE_BUFFER, 0);
 }
 
-void TerrainRenderer::drawLines(const TerrainPicture &picture)
+bool TerrainRenderer::drawLines(const TerrainPicture &picture, PartProgress &progress, std::uint32_t most)
 {
     updateLines(picture.style);
-    use(*mLines);
+    use(*mLines, progress);
     mLines->setUniformValue("uSize", float(picture.size.width()), float(picture.size.height()));
     mLines->setUniformValue("uHalfWidth", LineHalfWidth * picture.pixelRatio);
-    mLines->setUniformValue("uLineColors", int(LineColorUnit));
+    mLines->setUniformValue("uFirstLine", GLint(progress.line));
+    mLines->setUniformValue("uLineColors", LineColorUnit);
     mGl.glActiveTexture(GL_TEXTURE0 + LineColorUnit);
     mGl.glBindTexture(GL_TEXTURE_BUFFER, mLineTexture);
     mGl.glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, mLineColors);
     mGl.glEnable(GL_BLEND);
-    mBuffers.drawExtra(TerrainBuffers::Extra::Lines);
+    progress.line = mBuffers.drawExtra(TerrainBuffers::Extra::Lines, progress.line, most);
     mGl.glDisable(GL_BLEND);
     mGl.glBindTexture(GL_TEXTURE_BUFFER, 0);
-    mGl.glActiveTexture(GL_TEXTURE0);
+    return progress.line >= mBuffers.extraCount(TerrainBuffers::Extra::Lines);
 }
 
 } // namespace views

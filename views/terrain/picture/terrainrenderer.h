@@ -1,43 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/mesh/camera.h"
 #include "model/terrain/tools/paintmask.h"
-#include "views/terrain/groundcolors.h"
-#include "views/terrain/picture/groundmaps.h"
+#include "views/terrain/picture/groundshading.h"
 #include "views/terrain/picture/terrainbuffers.h"
-#include "views/terrain/terrainstyle.h"
-#include "views/viewport/glpicture.h"
-
-#include <map>
 
 namespace views {
 
-/// A picture to be drawn.
-struct TerrainPicture
+/// How far the drawing of a part of a picture has come; see TerrainRenderer::drawPart().
+struct PartProgress
 {
-    model::OrbitCamera camera;
-    GLuint framebuffer = 0;
-    QSize size; ///< of the framebuffer, pixels
-    TerrainStyle style;
-    float pixelRatio = 1; ///< lines keep their width on high-DPI screens
-    /// Shadows stay as they are where the ground has changed: they cost more than the ground itself where the processor
-    /// draws. The next picture without this brings them up to date.
-    bool keepsShadows = false;
-    /// A grid stands for the terrain, if it is large: for a camera that moves, where the processor draws.
-    bool isCoarse = false;
+    bool isDone = false;
+    bool isBegun = false;
+    std::uint32_t chunk = 0, active = 0, line = 0; ///< what comes next
+    std::uint32_t drawnChunks = 0;                 ///< by the last step
+    model::Matrix4 view{}, projection{};
+    model::Matrix4 seen{}; ///< view and projection; the part fills the clip volume
 };
 
-/// Draws a terrain. Made, used and destroyed with the same context current.
+/// Draws a terrain, in pieces of any size: where the processor draws, a whole picture takes longer than a person should
+/// wait. Made, used and destroyed with the same context current.
 class TerrainRenderer final
 {
 public:
     using TerrainPtr = std::shared_ptr<const model::terrain::Terrain>;
 
-    TerrainRenderer(QOpenGLFunctions_3_3_Core &gl, const model::terrain::Terrain &terrain, const GroundFrame &frame);
+    /// \param mapPieces  see GroundMaps
+    TerrainRenderer(QOpenGLFunctions_3_3_Core &gl, const model::terrain::Terrain &terrain, const GroundFrame &frame,
+                    int mapPieces);
     ~TerrainRenderer();
 
-    /// The driver's words if a shader did not compile; then draw() only clears.
+    /// The driver's words if a shader did not compile; then drawPart() only clears.
     const QString &error() const { return mError; }
 
     const TerrainBuffers &buffers() const { return mBuffers; }
@@ -52,15 +45,29 @@ public:
 
     /// Sends what the picture will need, see TerrainBuffers::upload().
     void upload(const TerrainStyle &style, double milliseconds);
-    /// Draws, anew only where uploads since takeChanges() changed something if `changes` says so.
-    void draw(const TerrainPicture &picture, const model::Box3f *changes = nullptr);
     /// The box of what uploads changed since it was last asked. Empty: nothing.
     model::Box3f takeChanges();
     /// Changes outside the box of changes: everything has to be drawn anew.
     bool takeIsAllChanged();
 
-    /// Shadows are not up to date, for keepsShadows.
-    bool hasLateShadows() const { return mHasShadows && !mMaps.lightChanges().isEmpty(); }
+    /// Heights and light, which a picture is made with, have to be brought up to date before it is drawn.
+    bool hasMapWork(const TerrainPicture &picture) const;
+    /// One step of that. \returns where the light of the picture changes; empty: nowhere
+    model::Box3f stepMaps(const TerrainPicture &picture);
+    /// A coarse picture can be drawn: the grid's heights are there, or no grid is needed.
+    bool canBeCoarse() const { return !isLarge() || mMaps.hasHeights(); }
+    /// The heights of the maps are those of the ground.
+    bool hasHeights() const { return mMaps.hasHeights() && !mMaps.areHeightsStale(); }
+    /// The light is not that of the ground, for keepsShadows.
+    bool hasLateShadows(const TerrainStyle &style) const;
+
+    /// Draws the next triangles of a part of a picture: `mostChunks` of TerrainBuffers::ChunkSize, or as many lines.
+    /// \param framebuffer  of the picture's size; only the part is cleared and drawn into
+    /// \param part         pixels from the lower left
+    void drawPart(const TerrainPicture &picture, GLuint framebuffer, const QRect &part, PartProgress &progress,
+                  std::uint32_t mostChunks);
+    /// Pixels from the lower left that show a box; the whole picture if they cannot be told.
+    QRect partOf(const TerrainPicture &picture, const model::Box3f &box) const;
 
     /// The values at the ends of an overlay's colours: metres, degrees, per cent.
     GroundRange rangeOf(GroundOverlay overlay) const;
@@ -68,17 +75,15 @@ public:
     double contourInterval(const TerrainStyle &style) const;
 
 private:
+    bool isLarge() const;
+    bool wantsLight(const TerrainPicture &picture) const;
     void updateScalar(const TerrainStyle &style);
     void updateLines(const TerrainStyle &style);
-    QOpenGLShaderProgram &groundProgram(const TerrainStyle &style, bool isCoarse);
-    bool canBeCoarse(const TerrainStyle &style) const;
-    void drawCoarsely(QOpenGLShaderProgram &program);
-    void use(QOpenGLShaderProgram &program);
-    void setGround(QOpenGLShaderProgram &program, const TerrainPicture &picture);
-    void drawLines(const TerrainPicture &picture);
-    void drawActive();
-    /// Pixels from the lower left that show a box; empty if they cannot be told.
-    QRect partOf(const model::Box3f &box, QSize size) const;
+    void begin(const TerrainPicture &picture, const QRect &part, PartProgress &progress);
+    void use(QOpenGLShaderProgram &program, const PartProgress &progress);
+    bool drawGround(const TerrainPicture &picture, PartProgress &progress, std::uint32_t mostChunks);
+    bool drawActive(PartProgress &progress, std::uint32_t most);
+    bool drawLines(const TerrainPicture &picture, PartProgress &progress, std::uint32_t most);
 
     QOpenGLFunctions_3_3_Core &mGl;
     const model::terrain::Terrain &mTerrain;
@@ -87,9 +92,9 @@ private:
     TerrainBuffers mBuffers;
     Backdrop mBackdrop;
     GroundMaps mMaps;
-    std::map<QByteArray, ShaderProgram> mGround; ///< by their defines
+    GroundShading mShading;
     ShaderProgram mLines, mFlat;
-    GLuint mGrains = 0, mLineColors = 0, mLineTexture = 0, mEmptyArray = 0;
+    GLuint mLineColors = 0, mLineTexture = 0;
     TerrainPtr mReference;
     std::shared_ptr<const model::terrain::PaintMask> mMask;
     GroundOverlay mScalarOf = GroundOverlay::None;
@@ -98,15 +103,9 @@ private:
     bool mAreLinesStale = true;
     model::Box3f mChanges;
     bool mIsAllChanged = true;
-    bool mHasShadows = false; ///< of the last picture
-    model::Box3f mDepthBox;   ///< places the depth planes
-    model::Matrix4 mView{}, mProjection{};
 };
 
 /// True if a box may be seen by a camera with this view-projection matrix.
 bool isInView(const model::Matrix4 &matrix, const model::Box3f &box);
-
-/// Towards the sun, unit, in the scene's axes.
-model::Vec3f sunDirection(const TerrainStyle &style);
 
 } // namespace views
