@@ -11,7 +11,8 @@
 
 namespace model {
 
-/// Takes snapshots of a terrain for work in the background. Must not outlive the document.
+/// Takes snapshots of a terrain for work in the background, which are copied there too: of 1M vertices that takes some
+/// 30 ms. Must not outlive the document.
 class TerrainSnapshot final : public QObject
 {
     Q_OBJECT
@@ -29,9 +30,13 @@ public:
 
 private:
     void take();
+    void give(const std::shared_ptr<const terrain::Terrain> &terrain);
 
     const TerrainDocument &mDocument;
     Taken mTaken;
+    std::uint64_t mRun = 0;     ///< start() and cancel() so far
+    std::uint64_t mChanges = 0; ///< of the document
+    int mTries = 0;
     QTimer mTurn;
 };
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/terraindocument.h"
+#include "model/document/terrainsnapshot.h"
 #include "model/terrain/tin/validate.h"
 #include "tests/model/terrain/tin/randomedits.h"
 #include "tests/support/testmain.h"
+
+#include <QTimer>
 
 using namespace model;
 using namespace model::terrain;
@@ -143,6 +146,56 @@ private slots:
         document.edit([](TinEdit &edit) { edit.setHeight(10, 99); });
         QCOMPARE(savedFingerprint(*snapshot), before);
         QVERIFY(document.fingerprint() != before);
+    }
+
+    void snapshotIsWhatTheDocumentIsWhenItIsGiven_data()
+    {
+        QTest::addColumn<bool>("isEdited");
+        QTest::newRow("at rest") << false;
+        QTest::newRow("edited without a pause") << true;
+    }
+    void snapshotIsWhatTheDocumentIsWhenItIsGiven()
+    {
+        QFETCH(bool, isEdited);
+        TerrainDocument document(specimen());
+        TerrainSnapshot snapshot(document);
+        std::shared_ptr<const Terrain> taken;
+        std::uint64_t print = 0;
+        QTimer editing;
+        double height = 1;
+        editing.callOnTimeout([&] { document.edit([&](TinEdit &edit) { edit.setHeight(20, height += 1); }); });
+        if (isEdited)
+            editing.start(0);
+        snapshot.start([&](std::shared_ptr<const Terrain> terrain) {
+            taken = std::move(terrain);
+            print = document.fingerprint();
+        });
+        QVERIFY(snapshot.isRunning());
+        QTRY_VERIFY(taken);
+        QVERIFY(!snapshot.isRunning());
+        QCOMPARE(savedFingerprint(*taken), print);
+        QVERIFY(height > 1 == isEdited);
+    }
+
+    void snapshotIsGivenToTheLastWhoAsked()
+    {
+        TerrainDocument document(specimen());
+        TerrainSnapshot snapshot(document);
+        QStringList given;
+        const auto start = [&](const QString &name) {
+            snapshot.start([&given, name](const std::shared_ptr<const Terrain> &) { given << name; });
+        };
+        start("first");
+        start("second");
+        QTRY_COMPARE(given, QStringList{"second"});
+        start("third");
+        QTest::qWait(1); // it may be copying
+        snapshot.cancel();
+        QVERIFY(!snapshot.isRunning());
+        start("fourth");
+        QTRY_COMPARE(given, (QStringList{"second", "fourth"}));
+        QTest::qWait(50);
+        QCOMPARE(given.size(), 2);
     }
 };
 
