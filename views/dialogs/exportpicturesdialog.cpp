@@ -49,10 +49,10 @@ void ExportPicturesDialog::setOrder(Order order)
     mOrder->setCurrentIndex(mOrder->findData(int(order)));
 }
 
-QString ExportPicturesDialog::problem() const
+QString ExportPicturesDialog::folderProblem(const QString &path)
 {
-    const QFileInfo folder(mFolder->path());
-    if (mFolder->path().isEmpty())
+    const QFileInfo folder(path);
+    if (path.isEmpty())
         return tr("Choose a folder.");
     if (folder.exists() && !folder.isDir())
         return tr("The folder is a file.");
@@ -60,6 +60,14 @@ QString ExportPicturesDialog::problem() const
         return tr("The folder that shall hold the new folder does not exist.");
     if (folder.exists() && !QDir(folder.filePath()).entryList({QStringLiteral("frame_*.png")}).isEmpty())
         return tr("The folder holds pictures already. Choose another one, so that they do not mix.");
+    return {};
+}
+
+QString ExportPicturesDialog::problem() const
+{
+    const QString folder = folderProblem(mFolder->path());
+    if (!folder.isEmpty())
+        return folder;
     return !mSize->problem().isEmpty() ? mSize->problem() : mRange->problem();
 }
 

@@ -31,6 +31,8 @@ public:
                          std::uint32_t first, std::uint32_t last, QWidget *parent = nullptr);
 
     void setOrder(Order order);
+    /// Why pictures cannot be written to a folder, as a sentence; empty if they can.
+    static QString folderProblem(const QString &path);
 
 protected:
     QString problem() const override;

@@ -3,19 +3,38 @@
 
 #include "views/dialogs/pathfield.h"
 #include "views/dialogs/picturesizefields.h"
-#include "views/scene/picturefiles.h"
+#include "views/jobs/guicall.h"
 #include "views/viewport/animationviewport.h"
 
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QPointer>
 
 namespace views {
 
+namespace {
+
+DrawView drawingOf(AnimationViewport &shown, const FrameDataPtr &frame)
+{
+    return [viewport = QPointer<AnimationViewport>(&shown), frame](QSize size, const model::OrbitCamera &,
+                                                                   const model::Progress &progress) {
+        return callInGui(progress, [viewport, frame, size] {
+            return viewport && frame ? viewport->renderPicture(*frame, size) : QImage();
+        });
+    };
+}
+
+} // namespace
+
 ScreenshotDialog::ScreenshotDialog(AnimationViewport &viewport, FrameDataPtr frame, const QString &path,
                                    QWidget *parent)
+    : ScreenshotDialog(viewport, drawingOf(viewport, frame), path, parent)
+{}
+
+ScreenshotDialog::ScreenshotDialog(SceneViewport &viewport, DrawView draw, const QString &path, QWidget *parent)
     : ExportDialog(tr("Save Screenshot"), parent)
     , mViewport(viewport)
-    , mFrame(std::move(frame))
+    , mDraw(std::move(draw))
     , mOutput(new PathField(tr("Output File"), PathField::NewFile, this))
 {
     setWindowModality(Qt::WindowModal);
@@ -52,11 +71,14 @@ QString ScreenshotDialog::outputPath() const
 
 ExportDialog::Work ScreenshotDialog::work()
 {
-    const QImage picture = mFrame ? mViewport.renderPicture(*mFrame, mSize->size()) : QImage();
-    return [picture, path = outputPath()](const model::Progress &progress) -> model::Result<void> {
-        if (picture.isNull())
+    return [draw = mDraw, size = mSize->size(), camera = mViewport.camera(),
+            path = outputPath()](const model::Progress &progress) -> model::Result<void> {
+        const std::optional<QImage> picture = draw(size, camera, progress);
+        if (!picture)
+            return model::fail(model::ErrorCode::Cancelled);
+        if (picture->isNull())
             return model::fail(model::ErrorCode::OutOfMemory);
-        return savePng(path, picture, progress);
+        return savePng(path, *picture, progress);
     };
 }
 

@@ -3,12 +3,14 @@
 
 #include "views/dialogs/exportdialog.h"
 #include "views/scene/framedata.h"
+#include "views/scene/picturefiles.h"
 
 namespace views {
 
 class AnimationViewport;
 class PathField;
 class PictureSizeFields;
+class SceneViewport;
 
 /// Saves what the viewport shows as a PNG, at any size. Modal for its window, so that the view stays as it is.
 class ScreenshotDialog final : public ExportDialog
@@ -17,8 +19,10 @@ class ScreenshotDialog final : public ExportDialog
 
 public:
     /// \param viewport  outlives the dialog and has been shown
-    /// \param frame     the one to draw
+    /// \param draw      draws what it shows
     /// \param path      proposed
+    ScreenshotDialog(SceneViewport &viewport, DrawView draw, const QString &path, QWidget *parent = nullptr);
+    /// \param frame     the one to draw
     ScreenshotDialog(AnimationViewport &viewport, FrameDataPtr frame, const QString &path, QWidget *parent = nullptr);
 
 protected:
@@ -29,8 +33,8 @@ protected:
     Work work() override;
 
 private:
-    AnimationViewport &mViewport;
-    const FrameDataPtr mFrame;
+    SceneViewport &mViewport;
+    const DrawView mDraw;
     PathField *mOutput;
     PictureSizeFields *mSize;
 };

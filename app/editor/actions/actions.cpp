@@ -58,6 +58,10 @@ constexpr Spec Specs[] = {
      "", QT_TRANSLATE_NOOP("Actions", "Write the playback as numbered PNG pictures"), false, Animation},
     {ActionId::ExportTerrain, "file.exportTerrain", File, QT_TRANSLATE_NOOP("Actions", "&Terrain…"), "export-terrain",
      "Ctrl+Shift+E", QT_TRANSLATE_NOOP("Actions", "Write the terrain as a mesh, a raster or contours"), false, Terrain},
+    {ActionId::TerrainScreenshot, "file.terrainScreenshot", File, QT_TRANSLATE_NOOP("Actions", "&Screenshot…"),
+     "screenshot", "Ctrl+Shift+P", QT_TRANSLATE_NOOP("Actions", "Write a picture of the terrain"), false, Terrain},
+    {ActionId::Turntable, "file.turntable", File, QT_TRANSLATE_NOOP("Actions", "T&urntable…"), "film", "",
+     QT_TRANSLATE_NOOP("Actions", "Write pictures from all around the terrain"), false, Terrain},
     {ActionId::Reload, "file.reload", File, QT_TRANSLATE_NOOP("Actions", "&Reload"), "reload", "F5",
      QT_TRANSLATE_NOOP("Actions", "Read the file again; the camera stays")},
     {ActionId::CloseTab, "file.close", File, QT_TRANSLATE_NOOP("Actions", "&Close"), "close", "Ctrl+W",
@@ -83,6 +87,10 @@ constexpr Spec Specs[] = {
      QT_TRANSLATE_NOOP("Actions", "Give the animation another name"), false, Animation},
     {ActionId::Sculpt, "edit.sculpt", TerrainMenu, QT_TRANSLATE_NOOP("Actions", "Scu&lpt"), "sculpt", "D",
      QT_TRANSLATE_NOOP("Actions", "The left button draws with the tool; else it turns the picture"), true, Terrain},
+
+    {ActionId::Record, "terrain.record", TerrainMenu, QT_TRANSLATE_NOOP("Actions", "&Record as Animation"), "film", "Ctrl+Alt+R",
+     QT_TRANSLATE_NOOP("Actions", "Record what happens to the terrain; again: stop, and show it as an animation"), true,
+     Terrain},
 
     {ActionId::Shaded, "view.shaded", View, QT_TRANSLATE_NOOP("Actions", "&Shaded"), "shaded", "1",
      QT_TRANSLATE_NOOP("Actions", "Draw smooth surfaces"), true, Animation},

@@ -10,6 +10,9 @@
 #include "views/dialogs/exportpointcachedialog.h"
 #include "views/dialogs/exportterraindialog.h"
 #include "views/dialogs/screenshotdialog.h"
+#include "views/dialogs/turntabledialog.h"
+#include "views/terrain/terrainpictures.h"
+#include "views/terrain/terrainviewport.h"
 #include "views/viewport/animationviewport.h"
 
 #include <QDir>
@@ -56,6 +59,14 @@ ExportActions::ExportActions(Actions &actions, Workspace &workspace, const Setti
         if (TerrainTab *tab = mWorkspace.currentTerrain())
             exportTerrain(*tab);
     });
+    const auto onDrawnTerrain = [this](ActionId id, auto function) {
+        connect(&mActions[id], &QAction::triggered, this, [this, function] {
+            if (TerrainTab *tab = mWorkspace.currentTerrain(); tab && tab->viewport())
+                (this->*function)(*tab);
+        });
+    };
+    onDrawnTerrain(ActionId::TerrainScreenshot, &ExportActions::exportTerrainScreenshot);
+    onDrawnTerrain(ActionId::Turntable, &ExportActions::exportTurntable);
     connect(&workspace, &Workspace::currentChanged, this, &ExportActions::update);
     connect(&workspace, &Workspace::currentStateChanged, this, &ExportActions::update);
     update();
@@ -71,7 +82,10 @@ void ExportActions::update()
     mActions[ActionId::ExportScreenshot].setEnabled(drawn);
     mActions[ActionId::ExportPictures].setEnabled(drawn);
     const TerrainTab *terrain = mWorkspace.currentTerrain();
-    mActions[ActionId::ExportTerrain].setEnabled(terrain && terrain->document().isOpen());
+    const bool isOpen = terrain && terrain->document().isOpen();
+    mActions[ActionId::ExportTerrain].setEnabled(isOpen);
+    mActions[ActionId::TerrainScreenshot].setEnabled(isOpen && terrain->viewport());
+    mActions[ActionId::Turntable].setEnabled(isOpen && terrain->viewport());
 }
 
 void ExportActions::exportFrames(AnimationTab &tab)
@@ -113,6 +127,18 @@ void ExportActions::exportTerrain(TerrainTab &tab)
                                     std::shared_ptr<const model::terrain::Terrain> terrain) {
         present(new views::ExportTerrainDialog(std::move(terrain), step, path, &mWindow));
     });
+}
+
+void ExportActions::exportTerrainScreenshot(TerrainTab &tab)
+{
+    present(new views::ScreenshotDialog(*tab.viewport(), views::drawingOf(*tab.viewport()),
+                                        proposal(tab, QStringLiteral(".png")), &mWindow));
+}
+
+void ExportActions::exportTurntable(TerrainTab &tab)
+{
+    present(new views::TurntableDialog(*tab.viewport(), views::drawingOf(*tab.viewport()),
+                                       proposal(tab, QStringLiteral("_turntable")), &mWindow));
 }
 
 QString ExportActions::proposal(const DocumentTab &tab, const QString &suffix) const

@@ -28,6 +28,8 @@ private:
     void exportScreenshot(AnimationTab &tab);
     void exportPictures(AnimationTab &tab);
     void exportTerrain(TerrainTab &tab);
+    void exportTerrainScreenshot(TerrainTab &tab);
+    void exportTurntable(TerrainTab &tab);
     /// Beside the document's file, named after it, with `suffix` appended.
     QString proposal(const DocumentTab &tab, const QString &suffix) const;
 

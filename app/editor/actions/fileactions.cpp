@@ -77,6 +77,13 @@ void FileActions::openPaths(const QStringList &paths)
     }
 }
 
+void FileActions::openMade(const model::FrameSourcePtr &frames)
+{
+    DocumentTab &tab = addTab(DocumentKind::Animation);
+    mWorkspace.add(&tab);
+    asAnimation(&tab)->document().show(frames);
+}
+
 void FileActions::openDocument(DocumentKind kind, const QString &path)
 {
     for (DocumentTab *tab : mWorkspace.tabs())

@@ -37,6 +37,8 @@ public:
 
     /// Opens documents and samples as tabs; offers to prepare everything else; says what cannot be had.
     void openPaths(const QStringList &paths);
+    /// Shows an animation that was made in the program in a tab of its own.
+    void openMade(const model::FrameSourcePtr &frames);
     void prepare(const QString &source);
 
     /// Asks about what an earlier session left, if it left something.

@@ -65,8 +65,9 @@ void Menus::fillFile()
     menu->addAction(&mActions[ActionId::Save]);
     menu->addAction(&mActions[ActionId::SaveAs]);
     QMenu *exports = addMenu(menu, QT_TRANSLATE_NOOP("Actions", "&Export"), QStringLiteral("export"));
-    for (const ActionId id : {ActionId::ExportFrames, ActionId::ExportPointCache, ActionId::ExportScreenshot,
-                              ActionId::ExportPictures, ActionId::ExportTerrain})
+    for (const ActionId id :
+         {ActionId::ExportFrames, ActionId::ExportPointCache, ActionId::ExportScreenshot, ActionId::ExportPictures,
+          ActionId::ExportTerrain, ActionId::TerrainScreenshot, ActionId::Turntable})
         exports->addAction(&mActions[id]);
     menu->addSeparator();
     menu->addAction(&mActions[ActionId::Reload]);
@@ -115,6 +116,7 @@ void Menus::fillTerrain()
 {
     mTerrain = addMenu(nullptr, QT_TRANSLATE_NOOP("Actions", "&Terrain"));
     mTerrain->addAction(&mActions[ActionId::Sculpt]);
+    mTerrain->addAction(&mActions[ActionId::Record]);
     mTool = addMenu(mTerrain, QT_TRANSLATE_NOOP("Actions", "&Tool"), QStringLiteral("sculpt"));
     mSymmetry = addMenu(mTerrain, QT_TRANSLATE_NOOP("Actions", "S&ymmetry"), QStringLiteral("symmetry"));
     mTerrain->addSeparator();

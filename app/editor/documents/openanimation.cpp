@@ -84,19 +84,30 @@ void OpenAnimation::read(const QString &path)
         });
 }
 
-void OpenAnimation::take(AnimationPtr animation)
+void OpenAnimation::show(model::FrameSourcePtr frames)
+{
+    begin(std::move(frames), {});
+    finishOpening({});
+}
+
+void OpenAnimation::begin(model::FrameSourcePtr frames, const model::CompressionSettings &settings)
 {
     emit aboutToBeReplaced();
-    const bool again = isOpen();
-    const model::Playback before = mPlayer.playback();
     mContext.reset();
-    mFacts = views::factsOf(*animation);
-    const model::CompressionSettings settings = animation->settings();
-    mDocument = std::make_unique<model::AnimationDocument>(std::move(animation), settings);
+    mDocument = std::make_unique<model::AnimationDocument>(std::move(frames), settings);
     mContext = std::make_unique<commands::AnimationContext>(*mDocument);
     connect(mDocument.get(), &model::AnimationDocument::changed, this, &OpenAnimation::contentChanged);
-    mSavedContent = Content::of(*mDocument);
     mPlayer.setSource(mDocument->frames());
+}
+
+void OpenAnimation::take(AnimationPtr animation)
+{
+    const bool again = isOpen();
+    const model::Playback before = mPlayer.playback();
+    mFacts = views::factsOf(*animation);
+    const model::CompressionSettings settings = animation->settings();
+    begin(std::move(animation), settings);
+    mSavedContent = Content::of(*mDocument);
     if (again) {
         mPlayer.seek(before.frame());
         if (before.isPlaying())
@@ -124,17 +135,21 @@ void OpenAnimation::write(const QString &path)
 
 QString OpenAnimation::title() const
 {
-    return mCut ? tr("%1 (cut)").arg(QFileInfo(source()).completeBaseName()) : Document::title();
+    if (mCut)
+        return tr("%1 (cut)").arg(QFileInfo(source()).completeBaseName());
+    return isMade() ? QString::fromStdString(mDocument->name()) : Document::title();
 }
 
 QString OpenAnimation::origin() const
 {
-    return mCut ? tr("What is there of a file that was cut, not saved to a file yet") : Document::origin();
+    if (mCut)
+        return tr("What is there of a file that was cut, not saved to a file yet");
+    return isMade() ? tr("Recorded, not saved to a file yet") : Document::origin();
 }
 
 QString OpenAnimation::summary() const
 {
-    return tr("%L1 vertices, %L2 frames").arg(mFacts->vertexCount).arg(mFacts->frameCount);
+    return tr("%L1 vertices, %L2 frames").arg(mDocument->vertexCount()).arg(mDocument->frameCount());
 }
 
 QString OpenAnimation::warning() const
@@ -150,7 +165,7 @@ QString OpenAnimation::warning() const
 
 bool OpenAnimation::isModified() const
 {
-    return mDocument && mSavedContent && !(Content::of(*mDocument) == *mSavedContent);
+    return mDocument && !(mSavedContent && Content::of(*mDocument) == *mSavedContent);
 }
 
 void OpenAnimation::contentChanged(const model::AnimationChange &change)

@@ -30,6 +30,9 @@ public:
     bool isModified() const override;
     commands::AnimationContext *context() const override { return mContext.get(); }
 
+    /// Shows what was made in the program: it has no file yet, and is unsaved. opened() follows at once.
+    void show(model::FrameSourcePtr frames);
+
     /// What a file that was cut shows, as long as it was not saved. It has no path then.
     struct Cut
     {
@@ -61,13 +64,16 @@ private:
     };
 
     void take(std::shared_ptr<const model::codec::DecodedAnimation> animation);
+    void begin(model::FrameSourcePtr frames, const model::CompressionSettings &settings);
     void contentChanged(const model::AnimationChange &change);
+    /// It comes from no file, and was never saved.
+    bool isMade() const { return mDocument && !mSavedContent; }
 
     std::optional<Cut> mCut;
     std::optional<views::FileFacts> mFacts;
     std::unique_ptr<model::AnimationDocument> mDocument;
     std::unique_ptr<commands::AnimationContext> mContext;
-    std::optional<Content> mSavedContent;
+    std::optional<Content> mSavedContent; ///< nothing: never saved
     views::Player mPlayer;
     views::Comparison mComparison{mPlayer};
 };

@@ -39,6 +39,7 @@ MainWindow::MainWindow(Language &language)
     , mWorkspace(new Workspace(mWelcome, this))
     , mFiles(mActions, *mWorkspace, mSettings, mLog, *this)
     , mEdits(mActions, *mWorkspace, *this)
+    , mRecords(mActions, *mWorkspace, mFiles, *statusBar())
     , mExports(mActions, *mWorkspace, mSettings, *this)
     , mViews(mActions, *mWorkspace, mSettings, *this)
     , mCompares(mActions, *mWorkspace, mSettings, mLog, *this)
@@ -81,6 +82,7 @@ MainWindow::~MainWindow()
 {
     // The documents go first, while everything that follows them is still there; also those whose tabs are closed and
     // wait for the event loop.
+    mRecords.drop();
     mWorkspace->blockSignals(true);
     for (DocumentTab *tab : findChildren<DocumentTab *>())
         delete tab;
@@ -210,6 +212,7 @@ void MainWindow::showTitle()
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    mRecords.stop();
     if (!mFiles.mayQuit()) {
         event->ignore();
         return;

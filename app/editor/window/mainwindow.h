@@ -8,6 +8,7 @@
 #include "app/editor/actions/fileactions.h"
 #include "app/editor/actions/helpactions.h"
 #include "app/editor/actions/menus.h"
+#include "app/editor/actions/recordactions.h"
 #include "app/editor/actions/viewactions.h"
 #include "app/editor/sandbox/groundstyle.h"
 #include "app/editor/sandbox/sandbox.h"
@@ -75,6 +76,7 @@ private:
     Workspace *mWorkspace;
     FileActions mFiles;
     EditActions mEdits;
+    RecordActions mRecords;
     ExportActions mExports;
     ViewActions mViews;
     CompareActions mCompares;
