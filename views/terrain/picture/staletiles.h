@@ -26,7 +26,7 @@ public:
     QRect take();
 
 private:
-    QSize mSize, mTile{1, 1};
+    QSize mSize{0, 0}, mTile{1, 1};
     int mColumns = 0;
     std::vector<QRect> mParts; ///< of each tile; empty: up to date
     int mCount = 0;            ///< tiles with a part

@@ -19,6 +19,8 @@ namespace {
 constexpr std::uint32_t HeightGap = 4, PaintGap = 8, TriangleGap = 3;
 /// Slots sent between two looks at the clock.
 constexpr std::uint32_t Portion = 4096;
+/// The same of vertices that moved: the normals around a portion are sent with it, so that of several some go twice.
+constexpr std::uint32_t MovedPortion = 16384;
 /// Room for what strokes and erosion will add, as a share.
 constexpr double Headroom = 0.25;
 /// Edits that wrote more than this share of everything are sent like a new terrain, in portions.
@@ -315,7 +317,7 @@ bool TerrainBuffers::upload(double milliseconds)
     // What a whole upload has not come to yet waits for it.
     sendNew(mIsWhole ? mNextVertex : vertices, mIsWhole ? mNextTriangle : triangles);
     do
-        sendMoved(mIsWhole ? mNextVertex : vertices, Portion);
+        sendMoved(mIsWhole ? mNextVertex : vertices, MovedPortion);
     while (mRaised.count() > 0 && double(clock.nsecsElapsed()) * 1e-6 < milliseconds);
     if (!mChangedBox.isEmpty()) {
         mChangedBox.min.y = std::min(mChangedBox.min.y, mChangedLow);
