@@ -158,11 +158,16 @@ private slots:
         style.quality = GroundQuality::Low; // no shadows
         viewport->setStyle(style);
         tests::settled(*viewport);
-        const std::uint64_t before = viewport->workDone().steps;
+        const std::uint64_t first = viewport->workDone().steps;
+        model::OrbitCamera camera = viewport->camera();
+        camera.orbit(0.01f, 0);
+        viewport->setCamera(camera);
+        tests::settled(*viewport);
+        const std::uint64_t before = viewport->workDone().steps, whole = before - first;
         dig(*mDocument, {0.5, 0.5}, 0.02);
         tests::settled(*viewport);
         const std::uint64_t steps = viewport->workDone().steps - before;
-        QVERIFY2(steps > 0 && steps <= 8, qPrintable(QString::number(steps)));
+        QVERIFY2(steps > 0 && 3 * steps < whole, qPrintable(QString("%1 of %2").arg(steps).arg(whole)));
     }
 
     void staleTilesAreThePixelsThatWereAdded()
