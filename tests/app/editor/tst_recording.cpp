@@ -5,6 +5,7 @@
 #include "tests/app/editor/windowdriver.h"
 #include "tests/support/testmain.h"
 
+#include <QDialog>
 #include <QSettings>
 
 using editor::ActionId;

@@ -174,7 +174,7 @@ private slots:
         QTRY_VERIFY(taken);
         QVERIFY(!snapshot.isRunning());
         QCOMPARE(savedFingerprint(*taken), print);
-        QVERIFY(height > 1 == isEdited);
+        QCOMPARE(height > 1, isEdited);
     }
 
     void snapshotIsGivenToTheLastWhoAsked()
