@@ -679,6 +679,26 @@
         <source>&amp;Pause Erosion</source>
         <translation>Pozastavit &amp;erozi</translation>
     </message>
+    <message>
+        <source>Write a picture of the terrain</source>
+        <translation>Uloží obrázek terénu</translation>
+    </message>
+    <message>
+        <source>T&amp;urntable…</source>
+        <translation>&amp;Otáčení…</translation>
+    </message>
+    <message>
+        <source>Write pictures from all around the terrain</source>
+        <translation>Uloží obrázky terénu ze všech stran</translation>
+    </message>
+    <message>
+        <source>&amp;Record as Animation</source>
+        <translation>&amp;Nahrávat jako animaci</translation>
+    </message>
+    <message>
+        <source>Record what happens to the terrain; again: stop, and show it as an animation</source>
+        <translation>Nahrává, co se s terénem děje; podruhé nahrávání ukončí a ukáže je jako animaci</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -2242,6 +2262,10 @@
         <source>%1: the file ends too early. Shown are %2 of its %3 details. Copy it again, or save what is there under another name.</source>
         <translation>%1: soubor končí příliš brzy. Počet zobrazených detailů: %2 z %3. Zkopírujte jej znovu, nebo uložte to, co je k dispozici, pod jiným názvem.</translation>
     </message>
+    <message>
+        <source>Recorded, not saved to a file yet</source>
+        <translation>Nahráno, zatím neuloženo do souboru</translation>
+    </message>
 </context>
 <context>
     <name>editor::OpenTerrain</name>
@@ -2268,6 +2292,33 @@
     <message>
         <source>%1 is of a newer Sandreel. Saving it here may lose what this one does not know.</source>
         <translation>%1 je z novější verze Sandreelu. Uložením zde se může ztratit to, co tato verze nezná.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RecordActions</name>
+    <message>
+        <source>Recording %1: heights at %L2 × %L3 places, up to %L4 frames (%5 of memory). Record again to stop.</source>
+        <translation>Nahrává se %1: výšky na %L2 × %L3 místech, nejvýše %L4 snímků (%5 paměti). Ukončíte opět příkazem Nahrávat.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording %1: %n frame(s)</source>
+        <translation>
+            <numerusform>Nahrává se %1: %n snímek</numerusform>
+            <numerusform>Nahrává se %1: %n snímky</numerusform>
+            <numerusform>Nahrává se %1: %n snímků</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 in motion</source>
+        <translation>%1 v pohybu</translation>
+    </message>
+    <message>
+        <source>Nothing happened to %1 that could be shown.</source>
+        <translation>S dokumentem %1 se nestalo nic, co by šlo ukázat.</translation>
+    </message>
+    <message>
+        <source>The recording ended at its limit of %L1 frames.</source>
+        <translation>Nahrávání skončilo na své mezi %L1 snímků.</translation>
     </message>
 </context>
 <context>
@@ -2500,12 +2551,6 @@
     <message>
         <source>The mesh in 3D. Arrow keys turn it, plus and minus zoom, F shows all of it.</source>
         <translation>Síť v prostoru. Šipky ji otáčejí, plus a minus přibližují a oddalují, F ji ukáže celou.</translation>
-    </message>
-    <message>
-        <source>The graphics driver refused a shader:
-%1</source>
-        <translation>Ovladač grafické karty odmítl shader:
-%1</translation>
     </message>
 </context>
 <context>
@@ -5077,6 +5122,15 @@ chyba KG %4</translation>
     </message>
 </context>
 <context>
+    <name>views::SceneViewport</name>
+    <message>
+        <source>The graphics driver refused a shader:
+%1</source>
+        <translation>Ovladač grafické karty odmítl shader:
+%1</translation>
+    </message>
+</context>
+<context>
     <name>views::ScreenshotDialog</name>
     <message>
         <source>Save Screenshot</source>
@@ -5158,12 +5212,6 @@ chyba KG %4</translation>
     <message>
         <source>Terrain</source>
         <translation>Terén</translation>
-    </message>
-    <message>
-        <source>The graphics driver refused a shader:
-%1</source>
-        <translation>Ovladač grafické karty odmítl shader:
-%1</translation>
     </message>
     <message>
         <source>The terrain in 3D. Plus and minus zoom, Home shows all of it. While you sculpt, arrow keys move the tool and Space presses and lifts it; with Ctrl they turn the terrain.</source>
@@ -5508,6 +5556,61 @@ chyba KG %4</translation>
     <message>
         <source>Frames: %1 → %2</source>
         <translation>Snímky: %1 → %2</translation>
+    </message>
+</context>
+<context>
+    <name>views::TurntableDialog</name>
+    <message>
+        <source>Export Turntable</source>
+        <translation>Exportovat otáčení</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Složka</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Obrázky</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Směr</translation>
+    </message>
+    <message>
+        <source>The scene turns to the right</source>
+        <translation>Scéna se otáčí doprava</translation>
+    </message>
+    <message>
+        <source>The scene turns to the left</source>
+        <translation>Scéna se otáčí doleva</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Náhled</translation>
+    </message>
+    <message>
+        <source>F&amp;older:</source>
+        <translation>S&amp;ložka:</translation>
+    </message>
+    <message>
+        <source>Pict&amp;ures:</source>
+        <translation>O&amp;brázky:</translation>
+    </message>
+    <message>
+        <source>&amp;Direction:</source>
+        <translation>Smě&amp;r:</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view:</source>
+        <translation>&amp;Náhled:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s) of %1 × %2 pixels. At %3 pictures per second they last %4.</source>
+        <translation>
+            <numerusform>%n obrázek o %1 × %2 pixelech. Při %3 obrázcích za sekundu trvá %4.</numerusform>
+            <numerusform>%n obrázky o %1 × %2 pixelech. Při %3 obrázcích za sekundu trvají %4.</numerusform>
+            <numerusform>%n obrázků o %1 × %2 pixelech. Při %3 obrázcích za sekundu trvají %4.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>editor::RecordActions</name>
+    <message numerus="yes">
+        <source>Recording %1: %n frame(s)</source>
+        <translation>
+            <numerusform>Recording %1: %n frame</numerusform>
+            <numerusform>Recording %1: %n frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>editor::RecoveryDialog</name>
     <message numerus="yes">
         <source>%n terrain(s) cannot be recovered any more after this.</source>
@@ -58,6 +68,16 @@
         <translation>
             <numerusform>%n older step was dropped to stay within the limit.</numerusform>
             <numerusform>%n older steps were dropped to stay within the limit.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>views::TurntableDialog</name>
+    <message numerus="yes">
+        <source>%n picture(s) of %1 × %2 pixels. At %3 pictures per second they last %4.</source>
+        <translation>
+            <numerusform>%n picture of %1 × %2 pixels. At %3 pictures per second it lasts %4.</numerusform>
+            <numerusform>%n pictures of %1 × %2 pixels. At %3 pictures per second they last %4.</numerusform>
         </translation>
     </message>
 </context>
