@@ -2025,17 +2025,6 @@
     </message>
 </context>
 <context>
-    <name>ViewActions</name>
-    <message>
-        <source>Density of the points</source>
-        <translation>Hustota bodů</translation>
-    </message>
-    <message>
-        <source>Share of the vertices that are drawn as points</source>
-        <translation>Podíl vrcholů kreslených jako body</translation>
-    </message>
-</context>
-<context>
     <name>editor::CompareActions</name>
     <message>
         <source>The animation cannot be compared with %1.</source>
@@ -2510,6 +2499,17 @@
     <message>
         <source>humidity %1</source>
         <translation>vlhkost %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ViewActions</name>
+    <message>
+        <source>Density of the points</source>
+        <translation>Hustota bodů</translation>
+    </message>
+    <message>
+        <source>Share of the vertices that are drawn as points</source>
+        <translation>Podíl vrcholů kreslených jako body</translation>
     </message>
 </context>
 <context>

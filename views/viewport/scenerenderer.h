@@ -2,14 +2,13 @@
 #pragma once
 
 #include "model/mesh/camera.h"
+#include "views/viewport/drawmode.h"
 #include "views/viewport/glpicture.h"
 #include "views/viewport/meshbuffers.h"
 
 #include <QSize>
 
 namespace views {
-
-enum class DrawMode : std::uint8_t { Shaded, ShadedWireframe, Wireframe, Points };
 
 /// What a picture of a mesh looks like, apart from mesh and camera.
 struct ViewStyle

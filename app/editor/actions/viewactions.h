@@ -3,6 +3,7 @@
 
 #include "app/editor/actions/actions.h"
 #include "app/editor/start/settings.h"
+#include "views/viewport/drawmode.h"
 
 #include <QObject>
 
@@ -13,7 +14,6 @@ class QMainWindow;
 
 namespace views {
 class AnimationViewport;
-enum class DrawMode : std::uint8_t;
 } // namespace views
 
 namespace editor {
