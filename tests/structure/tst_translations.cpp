@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/testmain.h"
 
+#include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
 #include <QSet>
@@ -127,6 +128,24 @@ private slots:
             known << message.source;
         for (const char *text : {"&File", "Trim to %n Frame(s)", "The mesh has no vertices.", "Save"})
             QVERIFY2(known.contains(QLatin1String(text)), text);
+    }
+
+    /// tr() asks in the class with its namespace. Where lupdate lost the namespace, nothing would be found.
+    void contextsWithoutNamespaceAreNamedInTheSources()
+    {
+        QByteArray sources;
+        for (const char *folder : {"model", "commands", "views", "app/cli", "app/editor"}) {
+            QDirIterator it(QStringLiteral(SANDREEL_SOURCE_DIR "/") + QLatin1String(folder), {"*.h", "*.cpp"},
+                            QDir::Files, QDirIterator::Subdirectories);
+            while (it.hasNext()) {
+                QFile file(it.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                sources += file.readAll();
+            }
+        }
+        for (const Message &message : messagesOf(QStringLiteral("cs")))
+            if (!message.context.contains(QStringLiteral("::")))
+                QVERIFY2(sources.contains('"' + message.context.toUtf8() + '"'), qPrintable(message.context));
     }
 };
 

@@ -153,7 +153,8 @@ void TestCommandLine::usageErrors()
 void TestCommandLine::unknownArgumentsAreNamed()
 {
     SANDREEL_RUN(run, 2, {"enocde", path("in"), "-o", path("x.anim")});
-    QVERIFY2(run.err.contains("\"enocde\"") && run.err.contains("encode, decode, info, compare, render, terrain."),
+    QVERIFY2(run.err.contains("\"enocde\"") &&
+                 run.err.contains("encode, decode, info, inspect, compare, render, export-player, terrain, haptics."),
              run.err.constData());
     SANDREEL_RUN(extra, 2, {"info", path("in"), "--size", "3"});
     QVERIFY2(extra.err.contains("--size 3\nSee sandreel-cli info --help."), extra.err.constData());
