@@ -178,7 +178,7 @@ void NewTerrainDialog::drawPreview()
             return terrainPreview(*terrain, PreviewCells, progress);
         },
         [this](const model::Result<model::FrameSourcePtr> &made) {
-            if (made)
+            if (made && *made) // nothing: it was called off
                 mPicture->setFrames(*made, model::boundingBox((*made)->frame(0)));
             if (mIsOutdated)
                 drawPreview();

@@ -49,6 +49,8 @@ model::FrameSourcePtr terrainPreview(const model::terrain::Terrain &terrain, int
             connectivity.triangles.push_back({a, b, d});
             connectivity.triangles.push_back({a, d, c});
         }
+    if (progress.isCancelled())
+        return nullptr;
     return std::make_shared<model::Sequence>(std::move(connectivity), std::move(positions), 25, std::string());
 }
 

@@ -14,7 +14,7 @@ namespace views {
 inline constexpr QSize TerrainThumbnailSize(256, 160);
 
 /// A mesh that looks like the terrain in a small picture, as an animation of one frame, y up: a grid of at most
-/// `cells` cells along the longer side. Voids are left out.
+/// `cells` cells along the longer side. Voids are left out. Null after a cancel.
 model::FrameSourcePtr terrainPreview(const model::terrain::Terrain &terrain, int cells,
                                      const model::Progress &progress = model::Progress());
 

@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
@@ -53,17 +54,17 @@ class TestSandbox final : public QObject
         QVERIFY(driver.settle());
         QTRY_VERIFY(!viewport(driver).isLoading());
     }
-    static void press(tests::WindowDriver &driver)
+    static void press(tests::WindowDriver &driver, double y = 10)
     {
-        QTest::mouseMove(&viewport(driver), seen(driver, 6, 10));
-        QTest::mousePress(&viewport(driver), Qt::LeftButton, {}, seen(driver, 6, 10));
+        QTest::mouseMove(&viewport(driver), seen(driver, 6, y));
+        QTest::mousePress(&viewport(driver), Qt::LeftButton, {}, seen(driver, 6, y));
         for (double x = 7; x <= 14; x += 1)
-            QTest::mouseMove(&viewport(driver), seen(driver, x, 10));
+            QTest::mouseMove(&viewport(driver), seen(driver, x, y));
     }
-    static void draw(tests::WindowDriver &driver)
+    static void draw(tests::WindowDriver &driver, double y = 10)
     {
-        press(driver);
-        QTest::mouseRelease(&viewport(driver), Qt::LeftButton, {}, seen(driver, 14, 10));
+        press(driver, y);
+        QTest::mouseRelease(&viewport(driver), Qt::LeftButton, {}, seen(driver, 14, y));
         // What it set in motion comes to rest, in a time that depends on the machine.
         QTRY_VERIFY_WITH_TIMEOUT(!driver.terrain().context()->hasGesture(), 120'000);
     }
@@ -83,7 +84,8 @@ class TestSandbox final : public QObject
         for (int y = 0; y < picture.height(); ++y)
             for (int x = 0; x < picture.width(); ++x) {
                 const QColor color = picture.pixelColor(x, y);
-                count += color.red() > 1.4 * color.green() && color.red() > 1.4 * color.blue();
+                // The deepest place alone is fully red, and how deep that is depends on how the sand slid.
+                count += color.red() > 1.1 * color.green() && color.red() > 1.1 * color.blue();
             }
         return count;
     }
@@ -337,7 +339,7 @@ private slots:
         driver.action(ActionId::Save).trigger();
         QVERIFY(driver.settle());
         QTRY_VERIFY(redOf(viewport(driver).renderPicture({320, 240})) < redOf(cut) / 4);
-        draw(driver);
+        draw(driver, 5); // where nothing slides into an older trace
         QTRY_VERIFY(redOf(viewport(driver).renderPicture({320, 240})) > redOf(cut) / 4);
         named(driver, "terrain.reference")->trigger();
         QTRY_VERIFY(redOf(viewport(driver).renderPicture({320, 240})) < redOf(cut) / 4);
@@ -367,6 +369,7 @@ private slots:
         QTRY_VERIFY(*heightAt(dock->plot().now(), 4) < *heightAt(dock->plot().before(), 4) - 1e-3);
         dock->close();
         QVERIFY(!pick->isChecked());
+        tests::withNextDialog([](QDialog &dialog) { tests::clickButton(dialog, "Discard"); });
         driver.action(ActionId::CloseTab).trigger();
     }
 

@@ -31,7 +31,9 @@ private slots:
                 expected += double(length(at(*animation, f, v) - at(*animation, f - 1, v)));
             QVERIFY(std::abs(double((*lengths)[v]) - expected) < 1e-5);
         }
-        for (const float value : *trajectoryLengths(*constant(grid())))
+        const auto still = trajectoryLengths(*constant(grid()));
+        QVERIFY(still);
+        for (const float value : *still)
             QCOMPARE(value, 0.0f);
     }
 

@@ -131,7 +131,7 @@ private slots:
         QVERIFY(inspection);
         QCOMPARE(inspectionJson(*inspection)["components"].toArray().size(), 0);
         SANDREEL_COMPARE_ERROR(parsePolygonMesh(MeshKind::Obj, "v 0 0 0\nf 1 2 9\n"), ErrorCode::IndexOutOfRange);
-        SANDREEL_COMPARE_ERROR(parsePolygonMesh(MeshKind::Obj, "v 0 0 0\nf\n"), ErrorCode::SyntaxError);
+        SANDREEL_COMPARE_ERROR(parsePolygonMesh(MeshKind::Obj, "v 0 0 0\nf \n"), ErrorCode::SyntaxError);
     }
 
     void aCancelIsAnError()
