@@ -2,11 +2,11 @@
 #include "app/cli/haptics.h"
 
 #include "app/cli/outputs.h"
+#include "model/io/savefile.h"
 #include "model/io/terrain/terrainfile.h"
 
 #include <QFile>
 #include <QJsonArray>
-#include <QSaveFile>
 
 #include <algorithm>
 
@@ -193,17 +193,7 @@ model::Result<Recording> openRecording(const std::string &path)
 
 model::Result<void> saveRecording(const std::string &path, const Recording &recording)
 {
-    const model::Bytes bytes = writeRecording(recording);
-    QSaveFile file(fromUtf8(path));
-    if (!file.open(QIODevice::WriteOnly) ||
-        file.write(reinterpret_cast<const char *>(bytes.data()), qint64(bytes.size())) != qint64(bytes.size()) ||
-        !file.commit())
-        return model::fail(model::Error{model::ErrorCode::CannotWrite,
-                                        {file.errorString().toStdString()},
-                                        path,
-                                        model::Error::None,
-                                        model::Error::None});
-    return {};
+    return model::io::saveBytes(fromUtf8(path), writeRecording(recording));
 }
 
 void addHapticsList(CLI::App &app, Run &run)

@@ -3,8 +3,7 @@
 
 #include "app/cli/outputs.h"
 #include "model/haptics/record/session.h"
-
-#include <QSaveFile>
+#include "model/io/savefile.h"
 
 namespace cli {
 
@@ -23,14 +22,8 @@ model::Result<void> saveTable(const std::string &path, const std::vector<ServoSa
             table += QByteArray::number(value, 'g', 9) + ',';
         table += QByteArray::number(s.reading.buttons) + ',' + nameOf(s.state).toLatin1() + '\n';
     }
-    QSaveFile file(fromUtf8(path));
-    if (!file.open(QIODevice::WriteOnly) || file.write(table) != table.size() || !file.commit())
-        return model::fail(model::Error{model::ErrorCode::CannotWrite,
-                                        {file.errorString().toStdString()},
-                                        path,
-                                        model::Error::None,
-                                        model::Error::None});
-    return {};
+    return model::io::saveBytes(fromUtf8(path),
+                                {reinterpret_cast<const std::uint8_t *>(table.constData()), std::size_t(table.size())});
 }
 
 struct ReplayOptions

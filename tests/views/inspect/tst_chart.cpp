@@ -103,7 +103,8 @@ private slots:
 
     void whatCannotBeWrittenSaysSo()
     {
-        const auto unknown = saveChart("/tmp/chart.gif", rates(), QPalette(), {100, 100}, 1);
+        const QTemporaryDir folder;
+        const auto unknown = saveChart(folder.filePath("chart.gif"), rates(), QPalette(), {100, 100}, 1);
         QVERIFY(!unknown && unknown.error().code == model::ErrorCode::UnknownFormat);
         const auto nowhere = saveChart("/nowhere/chart.csv", rates(), QPalette(), {100, 100}, 1);
         QVERIFY(!nowhere && nowhere.error().code == model::ErrorCode::CannotOpen);
