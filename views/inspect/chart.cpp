@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/inspect/chart.h"
 
+#include "model/io/savefile.h"
 #include "views/inspect/painterdevice.h"
 #include "views/inspect/partcolors.h"
 
@@ -9,7 +10,6 @@
 #include <QImage>
 #include <QPainter>
 #include <QPalette>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 #include <algorithm>
@@ -247,15 +247,8 @@ model::Result<void> saveChart(const QString &path, const Chart &chart, const QPa
     } else {
         return model::fail(model::Error{model::ErrorCode::UnknownFormat, {ending.toStdString()}, path.toStdString()});
     }
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return model::fail(
-            model::Error{model::ErrorCode::CannotOpen, {file.errorString().toStdString()}, path.toStdString()});
-    file.write(bytes);
-    if (!file.commit())
-        return model::fail(
-            model::Error{model::ErrorCode::CannotWrite, {file.errorString().toStdString()}, path.toStdString()});
-    return {};
+    return model::io::saveBytes(path,
+                                {reinterpret_cast<const std::uint8_t *>(bytes.constData()), std::size_t(bytes.size())});
 }
 
 } // namespace views
