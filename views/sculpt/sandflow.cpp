@@ -22,6 +22,10 @@ constexpr int DriftMilliseconds = 2000;
 constexpr std::uint32_t LargestMeasured = 200000;
 /// Faces looked at in a frame, for the steepest one: a third of a millisecond.
 constexpr TriangleId ScanPerFrame = 10000;
+/// What flows slower than this part of the fastest is not seen any more, and takes as many sweeps to end as it took to
+/// come there, or a thousand times that in a corner that is narrow: it gets all the sweeps that its milliseconds hold.
+constexpr double Unseen = 1e-3;
+constexpr double HurriedSpeed = 1000;
 /// A frame that came late is not caught up with.
 constexpr double LongestFrame = 0.05;
 
@@ -82,6 +86,7 @@ void SandFlow::start()
         return;
     mFigures = {};
     mMovedSinceFigures = 0;
+    mFastest = mRate = 0;
     mScanned = 0;
     mSteepest = 0;
     mSinceFrame.start();
@@ -156,7 +161,10 @@ void SandFlow::tick()
         return stop();
     const double elapsed = std::min(double(mSinceFrame.nsecsElapsed()) * 1e-9, LongestFrame);
     mSinceFrame.start();
-    advance(elapsed * mSettings.flow().speed, mSettings.flow().milliseconds);
+    const double seconds = elapsed * mSettings.flow().speed, moved = mFigures.movedVolume;
+    advance(mRate < Unseen * mFastest ? seconds * HurriedSpeed : seconds, mSettings.flow().milliseconds);
+    mRate = (mFigures.movedVolume - moved) / std::max(seconds, 1e-9);
+    mFastest = std::max(mFastest, mRate);
     const TinArrays &tin = mContext.document().tin().arrays();
     const TriangleId end = std::min(mScanned + ScanPerFrame, tin.triangleSlots());
     for (; mScanned < end; ++mScanned)

@@ -79,6 +79,7 @@ private:
     bool mIsEnding = false; ///< we end the gesture ourselves
     FlowFigures mFigures;
     double mMovedSinceFigures = 0;
+    double mRate = 0, mFastest = 0;          ///< cubic metres in a simulated second, in the frame before and at most
     model::terrain::TriangleId mScanned = 0; ///< of the search for the steepest face
     double mSteepest = 0;
 };

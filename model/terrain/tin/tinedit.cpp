@@ -146,10 +146,10 @@ void TinEdit::giveBack(std::span<const VertexId> vertices, std::span<const doubl
     lift(vertices, weights, -mWriter.leak.value());
 }
 
-void TinEdit::giveBackVolume(std::span<const VertexId> vertices, double volume)
+void TinEdit::giveBackVolume(std::span<const VertexId> vertices, double volume, std::span<const double> weights)
 {
-    assert(mIsOpen);
-    lift(vertices, {}, volume);
+    assert(mIsOpen && (weights.empty() || weights.size() == vertices.size()));
+    lift(vertices, weights, volume);
 }
 
 /// Raises `vertices`, each by its weight, so that `volume` comes under them.

@@ -107,9 +107,9 @@ public:
     /// Nothing happens if their areas and weights add up to nothing.
     void giveBack(std::span<const VertexId> vertices, std::span<const double> weights = {});
 
-    /// Raises or lowers `vertices` all alike by what `volume` makes, which counts against the leak: who knows which
-    /// part of the leak is its own gives it back so. Nothing happens if they have no area.
-    void giveBackVolume(std::span<const VertexId> vertices, double volume);
+    /// The same with `volume` instead of the leak, against which it counts: who knows which part of the leak is its own
+    /// gives it back so.
+    void giveBackVolume(std::span<const VertexId> vertices, double volume, std::span<const double> weights = {});
 
     /// Does with the leak what commit() does with it. A step of an edit that ends with this leaves the same bytes
     /// whether what follows belongs to the edit or to the next one.

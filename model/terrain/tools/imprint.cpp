@@ -114,6 +114,8 @@ void ImprintStroke::stamp(TinEdit &edit, const StampPose &pose, double sole, Own
     collectInside(arrays, outer, owner, outline, pose.at);
     const std::vector<VertexId> inWall = mInside;
     releaseOlder(edit);
+    // What comes now is dug. Until here, and from the rings' release on, the ground was only divided anew.
+    const double undug = edit.leak();
     for (const VertexId v : inner.vertices)
         if (arrays.heights[v] > sole)
             edit.displace(v, sole);
@@ -121,6 +123,7 @@ void ImprintStroke::stamp(TinEdit &edit, const StampPose &pose, double sole, Own
     for (const VertexId v : inWall)
         if (arrays.isVertex(v) && edit.canRemove(v))
             edit.remove(v);
+    const double dug = undug - edit.leak();
     // Where a void stopped an edge, its ends were vertices like any others.
     for (Ring *ring : {&outer, &inner})
         ring->vertices.erase(std::remove_if(ring->vertices.begin(), ring->vertices.end(),
@@ -128,14 +131,14 @@ void ImprintStroke::stamp(TinEdit &edit, const StampPose &pose, double sole, Own
                              ring->vertices.end());
     dropFlatEdges(edit, outer, inner, sole, owner);
 
-    const double dug = before - edit.leak();
     mReport.dug += dug;
     ++mReport.stamps;
     if (mTool.rim.compressibility > 0 && dug > 0) {
         edit.bookPressed(dug * mTool.rim.compressibility);
         mReport.compressed += dug * mTool.rim.compressibility;
     }
-    heap(edit, pose, whole, owner, dug, memory);
+    heap(edit, pose, whole, owner, std::max(0.0, dug), memory);
+    levelOut(edit, pose, whole, owner, edit.leak() - before, memory);
     const double left = edit.leak() - before;
     if (std::abs(left) > 1e-9 * std::abs(dug)) {
         edit.bookLeak(left);

@@ -105,6 +105,8 @@ private:
     bool isInEarlierStamp(Point2 p) const;
     void heap(TinEdit &edit, const StampPose &pose, std::span<const Point2> outline, OwnerId owner, double dug,
               ToolMemory &memory);
+    void levelOut(TinEdit &edit, const StampPose &pose, std::span<const Point2> outline, OwnerId owner, double volume,
+                  ToolMemory &memory);
 
     Imprint mTool;
     std::vector<Point2> mSoleOutline; ///< the outline inset by the gap, in radii
@@ -119,6 +121,7 @@ private:
     std::vector<const Placed *> mNearEarlier;
     std::vector<VertexId> mRim;
     std::vector<double> mWeights;
+    double mRimWidth = 0;
     SlotMarks mTriangleMarks, mVertexMarks;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace model::terrain {
 
@@ -13,6 +14,10 @@ namespace {
 constexpr double NarrowestRim = 0.15, WidestRim = 1; ///< radii
 constexpr double RimSnap = 0.3;  ///< vertices nearer than this many widths of the rim are used instead of new ones
 constexpr double RimPitch = 0.6; ///< radii between the rim's vertices along the outline, at most
+/// Of the height that a rim of even vertices would have.
+constexpr double MostOfRimHeight = 3;
+/// Of the differences in height around a stamp: no more than that can have come from edges that run otherwise.
+constexpr double MostLevelling = 0.5;
 /// Less of the material than this is not worth pushing backwards.
 constexpr double LeastAhead = 0.03;
 
@@ -64,7 +69,7 @@ void ImprintStroke::thinOut(TinEdit &edit, std::span<const VertexId> vertices, O
     }
 }
 
-/// Pushes what the surface lost since the stamp began, `dug`, out around the outline.
+/// Pushes `dug` out around the outline.
 void ImprintStroke::heap(TinEdit &edit, const StampPose &pose, std::span<const Point2> outline, OwnerId owner,
                          double dug, ToolMemory &memory)
 {
@@ -151,7 +156,50 @@ void ImprintStroke::heap(TinEdit &edit, const StampPose &pose, std::span<const P
         }
     }
     mRim.resize(kept);
-    edit.giveBack(mRim, mWeights);
+    // Where few and small vertices make the rim they do not take it all: it would be a tower.
+    double held = 0;
+    for (std::size_t i = 0; i < mRim.size(); ++i)
+        held += mWeights[i] * edit.areaOf(mRim[i]);
+    const double highest = MostOfRimHeight * 2 * crossSection / width;
+    edit.giveBackVolume(mRim, std::min(dug * (1 - rim.compressibility), highest * held), mWeights);
+    mRimWidth = width;
+}
+
+/// Spreads `volume`, which the surface gained because edges run otherwise now, over the ground around the stamp, by
+/// area: on the rim alone, which may be a ten thousandth of the triangles that an edge divided, it would dig or heap
+/// far more than the tool does, and the next stamp yet more.
+void ImprintStroke::levelOut(TinEdit &edit, const StampPose &pose, std::span<const Point2> outline, OwnerId owner,
+                             double volume, ToolMemory &memory)
+{
+    if (volume == 0)
+        return;
+    const TinArrays &arrays = edit.tin().arrays();
+    const double reach = mReach * (1 + 1e-6);
+    mVertexMarks.resize(arrays.vertexSlots());
+    memory.disc.search(edit.tin(), pose.at, mReach + mRimWidth);
+    mRim.clear();
+    mLookedAt.clear();
+    double area = 0, lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const TriangleId t : memory.disc.triangles())
+        for (Corner c = cornerOf(t, 0); c <= cornerOf(t, 2); ++c) {
+            const VertexId v = arrays.vertex(c);
+            if (!mVertexMarks.set(v))
+                continue;
+            mLookedAt.push_back(v);
+            lowest = std::min(lowest, arrays.heights[v]);
+            highest = std::max(highest, arrays.heights[v]);
+            const Point2 p = arrays.points[v];
+            const bool isNear = squaredDistance(p, pose.at) <= reach * reach;
+            if (!isOnGround(arrays, v) || hasOwner(arrays, v, owner) || (isNear && isInside(outline, p)) ||
+                isInEarlierStamp(p))
+                continue;
+            mRim.push_back(v);
+            area += edit.areaOf(v);
+        }
+    for (const VertexId v : mLookedAt)
+        mVertexMarks.clear(v);
+    const double most = MostLevelling * std::max(0.0, highest - lowest) * area;
+    edit.giveBackVolume(mRim, std::clamp(-volume, -most, most));
 }
 
 } // namespace model::terrain

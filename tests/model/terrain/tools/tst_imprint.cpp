@@ -140,6 +140,33 @@ private slots:
         for (double x = 0.3; x < 0.6; x += 0.02) // the trench is clean
             QVERIFY(std::abs(tin.heightAt({x, 0.5}) - 0.95) < 1e-9);
     }
+    /// A tool a thirtieth as wide as the triangles are: what they gain by being divided anew is a hundred times what it
+    /// digs, and once made a tower of the rim that the next stamp made worse.
+    void onCoarseGroundNothingGoesBeyondTheTool()
+    {
+        std::vector<Point3> points;
+        for (int y = 0; y <= 20; ++y)
+            for (int x = 0; x <= 20; ++x)
+                points.push_back({double(x), double(y), 1});
+        Imprint tool;
+        tool.radius = 1.0 / 30;
+        tool.depth = 1.0 / 60;
+        for (const auto &[y, speed] : {std::pair(10.0, 1.0), {10.3, 100.0}, {9.77, 100.0}, {10.0, 100.0}}) {
+            Tin tin = std::move(buildTin(points, {{0, 0}, {20, 20}})->tin);
+            const double volume = tin.volume();
+            drawAndCheck(tin, {tool, {{{6, y}, 1, speed}, {{14, y + 0.02}, 1, speed}}, {}});
+            const TinArrays &arrays = tin.arrays();
+            double lowest = 1, highest = 1;
+            for (VertexId v = 0; v < arrays.vertexSlots(); ++v)
+                if (arrays.isVertex(v)) {
+                    lowest = std::min(lowest, arrays.heights[v]);
+                    highest = std::max(highest, arrays.heights[v]);
+                }
+            QVERIFY2(lowest > 1 - 2 * tool.depth, qPrintable(QString::number(lowest)));
+            QVERIFY2(highest < 1 + 5 * tool.depth, qPrintable(QString::number(highest)));
+            QVERIFY(std::abs(tin.volume() - volume) < 1e-12 * volume);
+        }
+    }
     void compressionTakesVolume()
     {
         Tin tin = ground(2000, 0);
