@@ -4,7 +4,7 @@
 #include "commands/base/documentcontext.h"
 #include "commands/terrain/editsurface.h"
 #include "model/document/terraindocument.h"
-#include "model/terrain/tin/editjoiner.h"
+#include "model/terrain/tin/journal/editjoiner.h"
 
 #include <optional>
 

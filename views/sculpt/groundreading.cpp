@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/sculpt/groundreading.h"
 
-#include "model/terrain/tin/surface.h"
+#include "model/terrain/tin/query/surface.h"
 #include "views/sculpt/materialtitles.h"
 
 #include <cmath>

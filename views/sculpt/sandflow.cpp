@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/sculpt/sandflow.h"
 
-#include "model/terrain/tin/surface.h"
+#include "model/terrain/tin/query/surface.h"
 
 #include <QCoreApplication>
 

@@ -3,7 +3,7 @@
 
 #include "model/haptics/snapshot/terrainpatch.h"
 #include "model/terrain/terrain.h"
-#include "model/terrain/tin/disc.h"
+#include "model/terrain/tin/query/disc.h"
 
 namespace model::haptics {
 

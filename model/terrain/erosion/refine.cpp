@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/erosion/refine.h"
 
-#include "model/terrain/tin/slotmap.h"
+#include "model/terrain/tin/journal/slotmap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include "model/terrain/tin/build/restoretin.h"
 #include "model/terrain/tin/constraints/constraintlists.h"
-#include "model/terrain/tin/locate.h"
-#include "model/terrain/tin/surface.h"
+#include "model/terrain/tin/query/locate.h"
+#include "model/terrain/tin/query/surface.h"
 #include "model/terrain/tin/tinedit.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "model/base/error.h"
-#include "model/terrain/tin/hintgrid.h"
-#include "model/terrain/tin/journal.h"
-#include "model/terrain/tin/locate.h"
-#include "model/terrain/tin/surface.h"
+#include "model/terrain/tin/journal/journal.h"
+#include "model/terrain/tin/query/hintgrid.h"
+#include "model/terrain/tin/query/locate.h"
+#include "model/terrain/tin/query/surface.h"
 
 #include <span>
 #include <vector>

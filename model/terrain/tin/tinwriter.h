@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/terrain/tin/journal.h"
+#include "model/terrain/tin/journal/journal.h"
 #include "model/terrain/tin/predicates.h"
-#include "model/terrain/tin/surface.h"
+#include "model/terrain/tin/query/surface.h"
 
 #include <initializer_list>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/terrain/tin/disc.h"
+#include "model/terrain/tin/query/disc.h"
 #include "model/terrain/tin/tinedit.h"
 #include "model/terrain/tools/paintmask.h"
 #include "model/terrain/tools/strokepath.h"

@@ -4,7 +4,7 @@
 #include "model/terrain/erosion/erosion.h"
 #include "model/terrain/erosion/refine.h"
 #include "model/terrain/simplify/simplifytin.h"
-#include "model/terrain/tin/disc.h"
+#include "model/terrain/tin/query/disc.h"
 #include "tests/bench/terrain/heightfield.h"
 #include "tests/bench/terrain/table.h"
 

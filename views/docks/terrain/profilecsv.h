@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/terrain/tin/profile.h"
+#include "model/terrain/tin/query/profile.h"
 
 #include <QString>
 

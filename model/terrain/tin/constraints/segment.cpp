@@ -3,7 +3,7 @@
 // Differs: a stack instead of recursion; edges that have the polygon on both sides are linked through their twin.
 #include "model/terrain/tin/constraints/segment.h"
 
-#include "model/terrain/tin/locate.h"
+#include "model/terrain/tin/query/locate.h"
 
 #include <algorithm>
 #include <cassert>

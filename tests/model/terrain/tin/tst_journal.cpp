@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/terrain/tin/editjoiner.h"
+#include "model/terrain/tin/journal/editjoiner.h"
 #include "model/terrain/tin/tinedit.h"
 #include "model/terrain/tin/validate.h"
 #include "tests/model/terrain/tin/randomedits.h"

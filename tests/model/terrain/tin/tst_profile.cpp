@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/terrain/tin/predicates.h"
-#include "model/terrain/tin/profile.h"
+#include "model/terrain/tin/query/profile.h"
 #include "tests/model/terrain/tin/randomedits.h"
 #include "tests/support/testmain.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/terrain/tin/locate.h"
+#include "model/terrain/tin/query/locate.h"
 
 #include "model/terrain/tin/predicates.h"
 

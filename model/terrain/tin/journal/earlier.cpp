@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Based on: O. Devillers, S. Pion, M. Teillaud, Walking in a Triangulation, 2002: the stochastic walk, which ends in
 // any triangulation.
-#include "model/terrain/tin/earlier.h"
+#include "model/terrain/tin/journal/earlier.h"
 
 #include "model/terrain/tin/predicates.h"
 

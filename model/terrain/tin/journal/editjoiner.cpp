@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/terrain/tin/editjoiner.h"
+#include "model/terrain/tin/journal/editjoiner.h"
 
 #include <cassert>
 

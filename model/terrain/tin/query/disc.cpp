@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/terrain/tin/disc.h"
+#include "model/terrain/tin/query/disc.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/terrain/tin/profile.h"
+#include "model/terrain/tin/query/profile.h"
 
 #include "model/terrain/tin/predicates.h"
 

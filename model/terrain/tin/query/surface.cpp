@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/terrain/tin/surface.h"
+#include "model/terrain/tin/query/surface.h"
 
 #include <algorithm>
 #include <cmath>

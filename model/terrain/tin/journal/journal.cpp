@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/terrain/tin/journal.h"
+#include "model/terrain/tin/journal/journal.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/terrain/tin/slotmap.h"
+#include "model/terrain/tin/journal/slotmap.h"
 #include "model/terrain/tin/tin.h"
 
 namespace model::terrain {

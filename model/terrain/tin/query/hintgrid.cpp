@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/terrain/tin/hintgrid.h"
+#include "model/terrain/tin/query/hintgrid.h"
 
 #include <algorithm>
 #include <cmath>
