@@ -143,17 +143,18 @@ void TinEdit::bookMoved(double volume)
 void TinEdit::giveBack(std::span<const VertexId> vertices, std::span<const double> weights)
 {
     assert(mIsOpen && (weights.empty() || weights.size() == vertices.size()));
-    lift(vertices, weights, -mWriter.leak.value());
+    lift(vertices, weights, -mWriter.leak.value(), std::numeric_limits<double>::infinity());
 }
 
-void TinEdit::giveBackVolume(std::span<const VertexId> vertices, double volume, std::span<const double> weights)
+void TinEdit::giveBackVolume(std::span<const VertexId> vertices, double volume, std::span<const double> weights,
+                             double most)
 {
     assert(mIsOpen && (weights.empty() || weights.size() == vertices.size()));
-    lift(vertices, weights, volume);
+    lift(vertices, weights, volume, most);
 }
 
-/// Raises `vertices`, each by its weight, so that `volume` comes under them.
-void TinEdit::lift(std::span<const VertexId> vertices, std::span<const double> weights, double volume)
+/// Raises `vertices`, each by its weight, so that `volume` comes under them, or as much of it as `most` allows.
+void TinEdit::lift(std::span<const VertexId> vertices, std::span<const double> weights, double volume, double most)
 {
     const auto weight = [&](std::size_t i) { return weights.empty() ? 1 : weights[i]; };
     std::vector<double> areas;
@@ -165,7 +166,7 @@ void TinEdit::lift(std::span<const VertexId> vertices, std::span<const double> w
     }
     if (!(weighted.value() > 0))
         return;
-    const double height = volume / weighted.value();
+    const double height = std::clamp(volume / weighted.value(), -most, most);
     // What the surface really gains, rounding of the heights and all, is what the leak falls by.
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const VertexId v = vertices[i];

@@ -4,6 +4,8 @@
 #include "model/terrain/tin/tin.h"
 #include "model/terrain/tin/tinwriter.h"
 
+#include <limits>
+
 namespace model::terrain {
 
 /// What becomes of the volume that changes because the surface is triangulated anew, not because somebody raised or
@@ -108,8 +110,9 @@ public:
     void giveBack(std::span<const VertexId> vertices, std::span<const double> weights = {});
 
     /// The same with `volume` instead of the leak, against which it counts: who knows which part of the leak is its own
-    /// gives it back so.
-    void giveBackVolume(std::span<const VertexId> vertices, double volume, std::span<const double> weights = {});
+    /// gives it back so. A weight of 1 goes no further up or down than `most`, and the rest stays owed.
+    void giveBackVolume(std::span<const VertexId> vertices, double volume, std::span<const double> weights = {},
+                        double most = std::numeric_limits<double>::infinity());
 
     /// Does with the leak what commit() does with it. A step of an edit that ends with this leaves the same bytes
     /// whether what follows belongs to the edit or to the next one.
@@ -133,7 +136,7 @@ private:
     void unconstrain(Corner c);
     void split(Corner c, std::vector<Segment> &segments, const Segment &segment);
     bool isFreeOf(const Segment &segment, Crossing crossing, Corner &blocking) const;
-    void lift(std::span<const VertexId> vertices, std::span<const double> weights, double volume);
+    void lift(std::span<const VertexId> vertices, std::span<const double> weights, double volume, double most);
     Edit end();
 
     Tin &mTin;

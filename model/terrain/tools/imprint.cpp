@@ -137,10 +137,12 @@ void ImprintStroke::stamp(TinEdit &edit, const StampPose &pose, double sole, Own
         edit.bookPressed(dug * mTool.rim.compressibility);
         mReport.compressed += dug * mTool.rim.compressibility;
     }
-    heap(edit, pose, whole, owner, std::max(0.0, dug), memory);
-    levelOut(edit, pose, whole, owner, edit.leak() - before, memory);
+    const double rounding = 1e-9 * std::abs(dug);
+    heap(edit, pose, whole, owner, std::max(0.0, dug), before, memory);
+    if (const double gained = edit.leak() - before; std::abs(gained) > rounding)
+        levelOut(edit, pose, whole, owner, gained, memory);
     const double left = edit.leak() - before;
-    if (std::abs(left) > 1e-9 * std::abs(dug)) {
+    if (std::abs(left) > rounding) {
         edit.bookLeak(left);
         mReport.lost -= left;
     } else if (dug > 0) {

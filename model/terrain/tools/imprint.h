@@ -104,7 +104,7 @@ private:
     double aheadWeight(const StampPose &pose, Point2 outwards) const;
     bool isInEarlierStamp(Point2 p) const;
     void heap(TinEdit &edit, const StampPose &pose, std::span<const Point2> outline, OwnerId owner, double dug,
-              ToolMemory &memory);
+              double leak, ToolMemory &memory);
     void levelOut(TinEdit &edit, const StampPose &pose, std::span<const Point2> outline, OwnerId owner, double volume,
                   ToolMemory &memory);
 

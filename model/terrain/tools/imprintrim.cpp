@@ -16,6 +16,8 @@ constexpr double RimSnap = 0.3;  ///< vertices nearer than this many widths of t
 constexpr double RimPitch = 0.6; ///< radii between the rim's vertices along the outline, at most
 /// Of the height that a rim of even vertices would have.
 constexpr double MostOfRimHeight = 3;
+/// Of what was dug: so much less or more in the rim is not seen.
+constexpr double SmallPart = 0.1;
 /// Of the differences in height around a stamp: no more than that can have come from edges that run otherwise.
 constexpr double MostLevelling = 0.5;
 /// Less of the material than this is not worth pushing backwards.
@@ -69,9 +71,10 @@ void ImprintStroke::thinOut(TinEdit &edit, std::span<const VertexId> vertices, O
     }
 }
 
-/// Pushes `dug` out around the outline.
+/// Pushes `dug` out around the outline. \param leak  before the stamp: if what the surface owes since then is nearly
+/// what was dug, the rim takes all of it
 void ImprintStroke::heap(TinEdit &edit, const StampPose &pose, std::span<const Point2> outline, OwnerId owner,
-                         double dug, ToolMemory &memory)
+                         double dug, double leak, ToolMemory &memory)
 {
     const Tin &tin = edit.tin();
     const TinArrays &arrays = tin.arrays();
@@ -156,12 +159,11 @@ void ImprintStroke::heap(TinEdit &edit, const StampPose &pose, std::span<const P
         }
     }
     mRim.resize(kept);
+    double pushed = dug * (1 - rim.compressibility);
+    if (const double owed = leak - edit.leak(); std::abs(owed - pushed) < SmallPart * pushed)
+        pushed = owed;
     // Where few and small vertices make the rim they do not take it all: it would be a tower.
-    double held = 0;
-    for (std::size_t i = 0; i < mRim.size(); ++i)
-        held += mWeights[i] * edit.areaOf(mRim[i]);
-    const double highest = MostOfRimHeight * 2 * crossSection / width;
-    edit.giveBackVolume(mRim, std::min(dug * (1 - rim.compressibility), highest * held), mWeights);
+    edit.giveBackVolume(mRim, pushed, mWeights, MostOfRimHeight * 2 * crossSection / width);
     mRimWidth = width;
 }
 
@@ -171,15 +173,13 @@ void ImprintStroke::heap(TinEdit &edit, const StampPose &pose, std::span<const P
 void ImprintStroke::levelOut(TinEdit &edit, const StampPose &pose, std::span<const Point2> outline, OwnerId owner,
                              double volume, ToolMemory &memory)
 {
-    if (volume == 0)
-        return;
     const TinArrays &arrays = edit.tin().arrays();
     const double reach = mReach * (1 + 1e-6);
     mVertexMarks.resize(arrays.vertexSlots());
     memory.disc.search(edit.tin(), pose.at, mReach + mRimWidth);
     mRim.clear();
     mLookedAt.clear();
-    double area = 0, lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (const TriangleId t : memory.disc.triangles())
         for (Corner c = cornerOf(t, 0); c <= cornerOf(t, 2); ++c) {
             const VertexId v = arrays.vertex(c);
@@ -194,12 +194,10 @@ void ImprintStroke::levelOut(TinEdit &edit, const StampPose &pose, std::span<con
                 isInEarlierStamp(p))
                 continue;
             mRim.push_back(v);
-            area += edit.areaOf(v);
         }
     for (const VertexId v : mLookedAt)
         mVertexMarks.clear(v);
-    const double most = MostLevelling * std::max(0.0, highest - lowest) * area;
-    edit.giveBackVolume(mRim, std::clamp(-volume, -most, most));
+    edit.giveBackVolume(mRim, -volume, {}, MostLevelling * std::max(0.0, highest - lowest));
 }
 
 } // namespace model::terrain
