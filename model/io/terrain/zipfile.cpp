@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
 
 #include <QCoreApplication>
 #include <zip.h>
@@ -71,7 +70,6 @@ Result<std::vector<Listed>> list(zip_t *zip, std::uint64_t memoryLimit)
         return fail(ErrorCode::LimitExceeded, QT_TRANSLATE_NOOP("ErrorText", "number of parts"), std::to_string(count),
                     std::to_string(MaxEntries));
     std::vector<Listed> entries;
-    std::set<std::string> names;
     std::uint64_t total = 0;
     for (zip_uint64_t i = 0; i < zip_uint64_t(count); ++i) {
         zip_stat_t stat;
@@ -84,8 +82,6 @@ Result<std::vector<Listed>> list(zip_t *zip, std::uint64_t memoryLimit)
                         QT_TRANSLATE_NOOP("ErrorText", "a relative path"));
         if (name.back() == '/')
             continue;
-        if (!names.insert(name).second)
-            return fail(ErrorCode::DuplicateChunk, name);
         if ((stat.valid & ZIP_STAT_ENCRYPTION_METHOD) && stat.encryption_method != ZIP_EM_NONE)
             return fail(ErrorCode::UnsupportedFeature, QT_TRANSLATE_NOOP("ErrorText", "encryption"));
         if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
@@ -152,6 +148,7 @@ Result<std::vector<ZipEntry>> readZip(std::span<const std::uint8_t> bytes, std::
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t *const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+    // With its checks libzip refuses two entries of one name, too.
     const ZipPtr zip(source ? zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error) : nullptr);
     if (!zip) {
         zip_source_free(source);

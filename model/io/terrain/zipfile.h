@@ -22,7 +22,7 @@ Result<Bytes> writeZip(const std::vector<ZipEntry> &entries);
 /// All entries of a ZIP file, in their order. Counts, names and sizes are checked before anything is allocated: folders
 /// are left out; names that lead out of a folder are refused.
 /// \param memoryLimit  bytes that all entries together may take
-/// \error BadMagic, CorruptStream, BadValue (a name), DuplicateChunk, LimitExceeded, ChecksumMismatch,
+/// \error BadMagic, CorruptStream, BadValue (a name), LimitExceeded, ChecksumMismatch,
 ///        UnsupportedFeature (encryption and other methods)
 Result<std::vector<ZipEntry>> readZip(std::span<const std::uint8_t> bytes, std::uint64_t memoryLimit);
 
