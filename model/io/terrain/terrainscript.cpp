@@ -67,7 +67,10 @@ ScriptStep readStep(const QJsonValue &value, const std::string &path, ScriptErro
         AddLayerStep step;
         if (layer.has("layer"))
             step.layer = layer.count("layer", 0, 0, MaxLayers);
-        step.material = layer.count("material", 0, 0, std::uint32_t(LargestMaterialList) - 1);
+        if (layer.isNumber("material") || !layer.has("material"))
+            step.material = layer.count("material", 0, 0, std::uint32_t(LargestMaterialList) - 1);
+        else
+            step.material = readScriptMaterial(layer.take("material"), layer.pathOf("material"), errors);
         step.sample.thickness = layer.number("thickness", 0, 0, 1e9);
         step.sample.humidity = float(layer.number("humidity", 0, 0, 1));
         layer.finish();
@@ -251,17 +254,28 @@ private:
         return {};
     }
 
+    /// In the list of materials; its length if it is not there.
+    std::size_t placeOf(const Material &material) const
+    {
+        const auto &list = mTerrain.materials;
+        return std::size_t(std::find(list.begin(), list.end(), material) - list.begin());
+    }
+
     Result<void> carryOut(const AddLayerStep &step, const std::string &path)
     {
         const std::uint32_t layers = mTerrain.tin.arrays().layerCount(), layer = step.layer.value_or(layers);
         if (layers == MaxLayers || layer > layers)
             return fail(ErrorCode::BadSetting, path + ".add_layer.layer", std::to_string(layer),
                         "at most " + std::to_string(std::min(layers, MaxLayers - 1)));
-        if (step.material >= mTerrain.materials.size())
-            return fail(ErrorCode::BadSetting, path + ".add_layer.material", std::to_string(step.material),
-                        "below " + std::to_string(mTerrain.materials.size()));
+        const auto *const named = std::get_if<Material>(&step.material);
+        const std::size_t place = named ? placeOf(*named) : std::get<std::uint32_t>(step.material);
+        if (place >= (named ? LargestMaterialList : mTerrain.materials.size()))
+            return fail(ErrorCode::BadSetting, path + ".add_layer.material", std::to_string(place),
+                        "below " + std::to_string(named ? LargestMaterialList : mTerrain.materials.size()));
+        if (place == mTerrain.materials.size())
+            mTerrain.materials.push_back(*named);
         TinEdit edit(mTerrain.tin);
-        edit.addLayer(layer, std::uint8_t(step.material));
+        edit.addLayer(layer, std::uint8_t(place));
         for (VertexId v = 0; v < mTerrain.tin.arrays().vertexSlots(); ++v)
             if (mTerrain.tin.arrays().isVertex(v))
                 edit.setLayer(v, layer, step.sample);

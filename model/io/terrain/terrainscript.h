@@ -31,9 +31,9 @@ struct MaterialStep
 };
 struct AddLayerStep
 {
-    std::optional<std::uint32_t> layer; ///< none: on top
-    std::uint32_t material = 0;
-    terrain::LayerSample sample; ///< everywhere; the bedrock gives way
+    std::optional<std::uint32_t> layer;                      ///< none: on top
+    std::variant<std::uint32_t, terrain::Material> material; ///< its place in the list, or one that comes into the list
+    terrain::LayerSample sample;                             ///< everywhere; the bedrock gives way
 };
 struct RemoveLayerStep
 {

@@ -46,6 +46,7 @@ public:
     ScriptErrors &errors() const { return mErrors; }
 
     bool has(const char *key) const { return mObject.contains(QLatin1String(key)); }
+    bool isNumber(const char *key) const { return mObject.value(QLatin1String(key)).isDouble(); }
     double number(const char *key, double otherwise, double least = -NoLimit, double most = NoLimit);
     std::optional<double> optionalNumber(const char *key);
     std::uint32_t count(const char *key, std::uint32_t otherwise, std::uint32_t least, std::uint32_t most);

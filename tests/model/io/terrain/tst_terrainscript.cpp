@@ -115,6 +115,29 @@ private slots:
         QVERIFY(std::abs(terrain->tin.layerVolume(0) - (50 + terrain->tin.volume())) < 1);
     }
 
+    /// A terrain that was imported has no materials: a layer brings its own, and the same one again is not listed
+    /// twice.
+    void layersBringTheirMaterials()
+    {
+        const auto terrain = play(R"({"terrain": {"new": {"size": [10, 10]}}, "steps": [
+            {"add_layer": {"material": "gravel", "thickness": 0.5}},
+            {"add_layer": {"material": {"preset": "mud", "name": "silt"}, "thickness": 0.25}},
+            {"add_layer": {"material": "gravel", "thickness": 0.125}}, {"validate": true}]})");
+        QVERIFY2(terrain.has_value(), terrain ? "" : terrain.error().args[0].c_str());
+        QCOMPARE(terrain->materials.size(), std::size_t(2));
+        QVERIFY(terrain->materials[0] == material(MaterialPreset::Gravel));
+        QCOMPARE(terrain->materials[1].name, std::string("silt"));
+        const LayerTable &layers = terrain->tin.arrays().totals.layers;
+        QCOMPARE(layers.count, 3u);
+        for (const auto &[layer, place, thickness] : {std::tuple(0, 0, 0.5), {1, 1, 0.25}, {2, 0, 0.125}}) {
+            QCOMPARE(int(layers.materials[std::size_t(layer)]), place);
+            QVERIFY(std::abs(terrain->tin.layerVolume(std::uint32_t(layer)) - 100 * thickness) < 1e-9);
+        }
+        const auto unknown = parse(R"({"steps": [{"add_layer": {"material": "marble"}}]})");
+        SANDREEL_COMPARE_ERROR(unknown, ErrorCode::BadSetting);
+        QCOMPARE(unknown.error().args[0], std::string("steps[0].add_layer.material.preset"));
+    }
+
     void restoreGoesBackToTheStart()
     {
         const auto terrain = play(QByteArray("{") + Box + R"(, "steps": [
