@@ -26,6 +26,8 @@ constexpr TriangleId ScanPerFrame = 10000;
 /// come there, or a thousand times that in a corner that is narrow: it gets all the sweeps that its milliseconds hold.
 constexpr double Unseen = 1e-3;
 constexpr double HurriedSpeed = 1000;
+/// A face less high than this part of its length is a sliver.
+constexpr double Sliver = 1e-6;
 /// A frame that came late is not caught up with.
 constexpr double LongestFrame = 0.05;
 
@@ -104,6 +106,11 @@ void SandFlow::stop()
     mFigures.movedPerSecond = 0;
     mFigures.activeTriangles = mErosion ? mErosion->activeCount() : 0;
     measure();
+    if (const TinArrays &tin = mContext.document().tin().arrays(); tin.totals.vertices <= LargestMeasured) {
+        mScanned = 0;
+        mSteepest = 0;
+        scan(tin.triangleSlots());
+    }
     emit runningChanged(false);
     emit figuresChanged();
 }
@@ -166,17 +173,7 @@ void SandFlow::tick()
     mRate = (mFigures.movedVolume - moved) / std::max(seconds, 1e-9);
     mFastest = std::max(mFastest, mRate);
     const TinArrays &tin = mContext.document().tin().arrays();
-    const TriangleId end = std::min(mScanned + ScanPerFrame, tin.triangleSlots());
-    for (; mScanned < end; ++mScanned)
-        if (tin.isTriangle(mScanned) && !tin.isVoid(mScanned)) {
-            const Gradient g = gradientOf(tin, mScanned);
-            mSteepest = std::max(mSteepest, g.x * g.x + g.y * g.y);
-        }
-    if (mScanned >= tin.triangleSlots()) {
-        mFigures.steepest = std::atan(std::sqrt(mSteepest)) * 180 / M_PI;
-        mScanned = 0;
-        mSteepest = 0;
-    }
+    scan(std::min(mScanned + ScanPerFrame, tin.triangleSlots()));
     if (mSinceFigures.elapsed() >= FiguresMilliseconds) {
         mFigures.movedPerSecond = mMovedSinceFigures * 1e3 / double(mSinceFigures.restart());
         mMovedSinceFigures = 0;
@@ -192,6 +189,29 @@ void SandFlow::tick()
             stop();
         else
             pause();
+    }
+}
+
+/// Looks for the steepest face up to `end`; after the last one the figure is known. Slivers, whose vertices lie in a
+/// line but for their rounding, have any slope.
+void SandFlow::scan(TriangleId end)
+{
+    const TinArrays &tin = mContext.document().tin().arrays();
+    for (; mScanned < end; ++mScanned) {
+        if (!tin.isTriangle(mScanned) || tin.isVoid(mScanned))
+            continue;
+        const Point2 a = tin.pointAt(cornerOf(mScanned, 0)), b = tin.pointAt(cornerOf(mScanned, 1)),
+                     c = tin.pointAt(cornerOf(mScanned, 2));
+        const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
+        if (!(ux * vy - uy * vx > Sliver * std::max(ux * ux + uy * uy, vx * vx + vy * vy)))
+            continue;
+        const Gradient g = gradientOf(tin, mScanned);
+        mSteepest = std::max(mSteepest, g.x * g.x + g.y * g.y);
+    }
+    if (mScanned >= tin.triangleSlots()) {
+        mFigures.steepest = std::atan(std::sqrt(mSteepest)) * 180 / M_PI;
+        mScanned = 0;
+        mSteepest = 0;
     }
 }
 

@@ -69,6 +69,7 @@ private:
     void tick();
     void advance(double seconds, double milliseconds);
     void measure();
+    void scan(model::terrain::TriangleId end);
 
     commands::TerrainContext &mContext;
     const ToolSettings &mSettings;
