@@ -699,6 +699,30 @@
         <source>Record what happens to the terrain; again: stop, and show it as an animation</source>
         <translation>Nahrává, co se s terénem děje; podruhé nahrávání ukončí a ukáže je jako animaci</translation>
     </message>
+    <message>
+        <source>Feel with the Mouse (&amp;Haptics)</source>
+        <translation>Ohmatávat myší (&amp;haptika)</translation>
+    </message>
+    <message>
+        <source>The mouse moves the simulated haptic device, the wheel presses it in</source>
+        <translation>Myš pohybuje simulovaným haptickým zařízením, kolečko ho zatlačuje</translation>
+    </message>
+    <message>
+        <source>Haptic F&amp;orces</source>
+        <translation>Haptické síl&amp;y</translation>
+    </message>
+    <message>
+        <source>Let the haptic device push; off at every start</source>
+        <translation>Haptické zařízení smí tlačit; po spuštění vždy vypnuto</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p All Forces</source>
+        <translation>Vy&amp;pnout všechny síly</translation>
+    </message>
+    <message>
+        <source>Forces off, at once; Escape does the same anywhere</source>
+        <translation>Okamžitě vypne síly; Escape udělá totéž kdekoli</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -2061,6 +2085,21 @@
     </message>
 </context>
 <context>
+    <name>editor::Feeling</name>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Stop all forces</source>
+        <translation>Vypnout všechny síly</translation>
+    </message>
+    <message>
+        <source>Forces off, at once (Escape)</source>
+        <translation>Okamžitě vypne síly (Escape)</translation>
+    </message>
+</context>
+<context>
     <name>editor::FileActions</name>
     <message>
         <source>%1 cannot be opened.</source>
@@ -3388,6 +3427,13 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     </message>
 </context>
 <context>
+    <name>views::ForceArrow</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+</context>
+<context>
     <name>views::FoundSource</name>
     <message>
         <source>Folder of %1 frames</source>
@@ -3520,6 +3566,264 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     <message>
         <source>Duration: %1 → %2. The frames stay as they are.</source>
         <translation>Délka: %1 → %2. Snímky se nemění.</translation>
+    </message>
+</context>
+<context>
+    <name>views::HapticsDock</name>
+    <message>
+        <source>Haptics</source>
+        <translation>Haptika</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Forces off, at once. Escape does the same anywhere in the program.</source>
+        <translation>Okamžitě vypne síly. Escape udělá totéž kdekoli v programu.</translation>
+    </message>
+    <message>
+        <source>Stop all forces</source>
+        <translation>Vypnout všechny síly</translation>
+    </message>
+    <message>
+        <source>&amp;Forces</source>
+        <translation>Sí&amp;ly</translation>
+    </message>
+    <message>
+        <source>Let the device push. Forces begin in the air and rise over two seconds.</source>
+        <translation>Zařízení smí tlačit. Síly začínají ve vzduchu a rostou dvě sekundy.</translation>
+    </message>
+    <message>
+        <source>State of the forces</source>
+        <translation>Stav sil</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Zařízení</translation>
+    </message>
+    <message>
+        <source>Feel</source>
+        <translation>Hmat</translation>
+    </message>
+    <message>
+        <source>As the Ground Is</source>
+        <translation>Podle terénu</translation>
+    </message>
+    <message>
+        <source>What the ground feels like; what it is does not change.</source>
+        <translation>Jaký je terén na dotek; čím je, se nezmění.</translation>
+    </message>
+    <message>
+        <source>Material:</source>
+        <translation>Materiál:</translation>
+    </message>
+    <message>
+        <source>Force law:</source>
+        <translation>Zákon síly:</translation>
+    </message>
+    <message>
+        <source>Gain:</source>
+        <translation>Zesílení:</translation>
+    </message>
+    <message>
+        <source>The force of the ground, times this</source>
+        <translation>Kolikrát se zesílí síla terénu</translation>
+    </message>
+    <message>
+        <source>At most:</source>
+        <translation>Nejvýše:</translation>
+    </message>
+    <message>
+        <source>No force is above this, nor above what the device is made for</source>
+        <translation>Žádná síla není větší, ani větší, než pro jakou je zařízení určeno</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nyní</translation>
+    </message>
+    <message>
+        <source>Position:</source>
+        <translation>Poloha:</translation>
+    </message>
+    <message>
+        <source>Of the hand, in millimetres: right, away, up</source>
+        <translation>Ruky, v milimetrech: vpravo, od sebe, nahoru</translation>
+    </message>
+    <message>
+        <source>Force:</source>
+        <translation>Síla:</translation>
+    </message>
+    <message>
+        <source>On the hand, in newtons: right, away, up</source>
+        <translation>Na ruku, v newtonech: vpravo, od sebe, nahoru</translation>
+    </message>
+    <message>
+        <source>Rate:</source>
+        <translation>Frekvence:</translation>
+    </message>
+    <message>
+        <source>Steps of the servo in a second, of a thousand that are due</source>
+        <translation>Kroky smyčky za sekundu, z tisíce, které mají přijít</translation>
+    </message>
+    <message>
+        <source>Lateness:</source>
+        <translation>Zpoždění:</translation>
+    </message>
+    <message>
+        <source>99 of 100 steps began no later than this</source>
+        <translation>99 ze 100 kroků nezačalo později</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>vpravo</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>od sebe</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nahoru</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Síla (N)</translation>
+    </message>
+    <message>
+        <source>Position (mm)</source>
+        <translation>Poloha (mm)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Žádné</translation>
+    </message>
+    <message>
+        <source>%1 (unplugged)</source>
+        <translation>%1 (odpojeno)</translation>
+    </message>
+    <message>
+        <source>Choose the simulated device to feel the ground with the mouse, or plug one in.</source>
+        <translation>Vyberte simulované zařízení a ohmatejte terén myší, nebo nějaké připojte.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 Hz, %2 skipped</source>
+        <translation>%1 Hz, vynecháno %2</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+</context>
+<context>
+    <name>views::HapticsTexts</name>
+    <message>
+        <source>Forces are off.</source>
+        <translation>Síly jsou vypnuté.</translation>
+    </message>
+    <message>
+        <source>No force: the window was busy for too long.</source>
+        <translation>Bez síly: okno bylo příliš dlouho zaneprázdněné.</translation>
+    </message>
+    <message>
+        <source>No force: the machine was too late.</source>
+        <translation>Bez síly: počítač nestíhal.</translation>
+    </message>
+    <message>
+        <source>No force: the device says nothing.</source>
+        <translation>Bez síly: zařízení mlčí.</translation>
+    </message>
+    <message>
+        <source>No force: the device is unplugged.</source>
+        <translation>Bez síly: zařízení je odpojené.</translation>
+    </message>
+    <message>
+        <source>No force: a number was not one. Switch forces off and on.</source>
+        <translation>Bez síly: některé číslo nebylo číslem. Vypněte síly a znovu je zapněte.</translation>
+    </message>
+    <message>
+        <source>Granular</source>
+        <translation>Sypký materiál</translation>
+    </message>
+    <message>
+        <source>2009, Averaged</source>
+        <translation>2009, průměr</translation>
+    </message>
+    <message>
+        <source>2009, Along the Motion</source>
+        <translation>2009, ve směru pohybu</translation>
+    </message>
+    <message>
+        <source>Resists more with depth, gives way, and holds the tool when it is wet.</source>
+        <translation>S hloubkou klade větší odpor, ustupuje, a vlhký drží nástroj.</translation>
+    </message>
+    <message>
+        <source>An older model, to compare: a spring above the ground, and the mean of all directions.</source>
+        <translation>Starší model pro srovnání: pružina nad terénem a průměr všech směrů.</translation>
+    </message>
+    <message>
+        <source>An older model, to compare: it trembles when the tool hardly moves.</source>
+        <translation>Starší model pro srovnání: třese se, když se nástroj téměř nehýbe.</translation>
+    </message>
+    <message>
+        <source>Simulated Device</source>
+        <translation>Simulované zařízení</translation>
+    </message>
+    <message>
+        <source>%1 (no permission)</source>
+        <translation>%1 (bez oprávnění)</translation>
+    </message>
+    <message>
+        <source>You have no permission to use this device. Copy %1, which comes with Sandreel, to /etc/udev/rules.d, and plug the device in again.</source>
+        <translation>K tomuto zařízení nemáte oprávnění. Zkopírujte soubor %1, který se dodává se Sandreelem, do /etc/udev/rules.d a zařízení znovu připojte.</translation>
+    </message>
+    <message>
+        <source>The mouse moves the tool, the wheel or Page Up and Page Down lift it and press it in, the left button draws. Ctrl and the wheel zoom.</source>
+        <translation>Myš pohybuje nástrojem, kolečko nebo Page Up a Page Down ho zvedá a zatlačuje, levé tlačítko kreslí. Ctrl s kolečkem přibližuje.</translation>
+    </message>
+    <message>
+        <source>It moves the tool while its cap is pushed; a button draws. It has no force.</source>
+        <translation>Pohybuje nástrojem, dokud tlačíte na jeho hlavici; tlačítko kreslí. Nemá sílu.</translation>
+    </message>
+    <message>
+        <source>Experimental: nobody has tried every stick. Hold it loosely.</source>
+        <translation>Experimentální: všechny páky nikdo nevyzkoušel. Držte ji volně.</translation>
+    </message>
+    <message>
+        <source>No device.</source>
+        <translation>Žádné zařízení.</translation>
+    </message>
+    <message>
+        <source>The device is unplugged. Plug it in to go on.</source>
+        <translation>Zařízení je odpojené. Připojte ho, chcete-li pokračovat.</translation>
+    </message>
+    <message>
+        <source>The device moves the tool.</source>
+        <translation>Zařízení pohybuje nástrojem.</translation>
+    </message>
+    <message>
+        <source>Lift the tool: forces begin in the air.</source>
+        <translation>Zvedněte nástroj: síly začínají ve vzduchu.</translation>
+    </message>
+    <message>
+        <source>Forces are rising.</source>
+        <translation>Síly rostou.</translation>
+    </message>
+    <message>
+        <source>Forces are on.</source>
+        <translation>Síly jsou zapnuté.</translation>
+    </message>
+    <message>
+        <source>Forces fade.</source>
+        <translation>Síly slábnou.</translation>
     </message>
 </context>
 <context>
@@ -3816,6 +4120,17 @@ Největší: nejhoršího vrcholu, v procentech úhlopříčky kvádru originál
     <message>
         <source>almost done</source>
         <translation>téměř hotovo</translation>
+    </message>
+</context>
+<context>
+    <name>views::LatenessPlot</name>
+    <message>
+        <source>Lateness of the steps</source>
+        <translation>Zpoždění kroků</translation>
+    </message>
+    <message>
+        <source>99 %</source>
+        <translation>99 %</translation>
     </message>
 </context>
 <context>
@@ -5442,6 +5757,17 @@ chyba KG %4</translation>
     <message>
         <source>From now on, Restore brings back the ground as it is at this moment. Until then it is that of the last save.</source>
         <translation>Od této chvíle Obnovit vrací povrch, jaký je v tomto okamžiku. Do té doby vrací ten, který byl naposledy uložen.</translation>
+    </message>
+</context>
+<context>
+    <name>views::TracePlot</name>
+    <message>
+        <source>%1 s ago</source>
+        <translation>před %1 s</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nyní</translation>
     </message>
 </context>
 <context>

@@ -94,7 +94,7 @@ Tool StrokeController::toolFor(const GroundEvent &event) const
 
 bool StrokeController::press(const GroundEvent &event)
 {
-    if (!mIsActive)
+    if (!mIsActive || (mStroke && !mStroke->isEnded())) // another device draws: this one may move the camera
         return false;
     if (mAdjusting != Adjusting::Nothing) {
         mAdjusting = Adjusting::Nothing; // the click that ends it
@@ -271,6 +271,8 @@ void StrokeController::hover(const GroundEvent &event)
 {
     if (mAdjusting != Adjusting::Nothing)
         return adjust(event);
+    if (mStroke && !mStroke->isEnded())
+        return; // another device draws
     mLast = event;
     showReading(event);
     updateLines();

@@ -40,6 +40,7 @@ Sandbox::Sandbox(Actions &actions, Workspace &workspace, QMainWindow &window)
     , mMaterials(new views::MaterialDock(&window))
     , mPick(makeMode("terrain.pickProfile", "profile", "Shift+P", this))
     , mPaint(makeMode("terrain.paintMask", "mask", "M", this))
+    , mFeeling(new Feeling(mSettings, window, this))
     , mProfile(new views::ProfileDock(*mPick, &window))
 {
     actions[ActionId::Sculpt].setChecked(true);
@@ -50,16 +51,19 @@ Sandbox::Sandbox(Actions &actions, Workspace &workspace, QMainWindow &window)
     });
     connect(mTools, &views::ToolsDock::referenceRequested, this, &Sandbox::takeReference);
     // One of them at most has the left button.
-    for (const auto &[action, other] : {std::pair(mPick, mPaint), std::pair(mPaint, mPick)})
-        connect(action, &QAction::toggled, this, [this, other = other](bool isOn) {
-            if (isOn)
-                other->setChecked(false);
+    for (QAction *action : modes())
+        connect(action, &QAction::toggled, this, [this, action](bool isOn) {
+            for (QAction *other : modes())
+                if (isOn && other != action)
+                    other->setChecked(false);
+            if (isOn && action == &mFeeling->modeAction())
+                mActions[ActionId::Sculpt].setChecked(true); // the hand draws
             shareGround();
         });
     connect(&mSettings, &views::ToolSettings::toolChanged, this, [this, kind = mSettings.tool().index()]() mutable {
         if (std::exchange(kind, mSettings.tool().index()) != kind)
             for (QAction *mode : {mPick, mPaint})
-                mode->setChecked(false); // another tool: to draw with it
+                mode->setChecked(false); // another tool: to draw with it. The hand draws with tools too
     });
     connect(mProfile, &QDockWidget::visibilityChanged, this, [this] {
         if (mProfile->isHidden())
@@ -69,6 +73,11 @@ Sandbox::Sandbox(Actions &actions, Workspace &workspace, QMainWindow &window)
     connect(&workspace, &Workspace::currentChanged, this, &Sandbox::follow);
     connect(&workspace, &Workspace::currentStateChanged, this, &Sandbox::follow);
     follow();
+}
+
+QList<QAction *> Sandbox::modes() const
+{
+    return {mPick, mPaint, &mFeeling->modeAction()};
 }
 
 Sandbox::~Sandbox()
@@ -102,6 +111,7 @@ void Sandbox::follow()
     Work *work = present();
     commands::TerrainContext *context = work ? tab->document().context() : nullptr;
     mActions[ActionId::Sculpt].setEnabled(work);
+    mFeeling->setTerrain(work ? &tab->document().terrain() : nullptr, work ? work->strokes.get() : nullptr);
     mErosion->setTerrain(context, work ? &work->strokes->flow() : nullptr);
     mMaterials->setContext(context);
     mProfile->setTerrain(work ? &tab->document().terrain() : nullptr, work ? work->profile.get() : nullptr,
@@ -137,8 +147,12 @@ void Sandbox::begin(TerrainTab &tab, Work &work)
     work.strokes->setMask(tab.document().mask());
     work.mask =
         std::make_unique<views::MaskPainter>(*tab.document().context(), tab.document().mask(), mSettings, work.ground);
+    work.hand = std::make_unique<views::HandOnGround>(mFeeling->session());
+    if (tab.viewport())
+        work.arrow = new views::ForceArrow(mFeeling->session(), *tab.viewport());
     work.shared = std::make_unique<views::SharedGround>(
-        *work.ground, std::vector<views::GroundInteraction *>{work.strokes.get(), work.profile.get(), work.mask.get()});
+        *work.ground, std::vector<views::GroundInteraction *>{work.strokes.get(), work.profile.get(), work.mask.get(),
+                                                              work.hand.get()});
     connect(work.strokes.get(), &views::StrokeController::readingChanged, this, &Sandbox::readingChanged);
     connect(work.strokes.get(), &views::StrokeController::strokeRefused, this,
             [this](const QString &reason) { mWorkspace.messages().add(views::MessageBar::Kind::Warning, reason); });
@@ -168,6 +182,9 @@ void Sandbox::forget(Work &work)
 {
     work.shared.reset();
     work.ground = nullptr;
+    mFeeling->setTerrain(nullptr, nullptr);
+    delete work.arrow;
+    work.hand.reset();
     mErosion->setTerrain(nullptr, nullptr);
     mProfile->setTerrain(nullptr, nullptr, nullptr);
     work.mask.reset();
@@ -183,10 +200,14 @@ void Sandbox::shareGround()
     for (auto &[tab, work] : mWork) {
         if (!work.shared)
             continue;
+        if (work.arrow)
+            work.arrow->setActive(tab == mWorkspace.currentTerrain());
         if (mPick->isChecked())
             work.shared->choose(*work.profile);
         else if (mPaint->isChecked())
             work.shared->choose(*work.mask);
+        else if (mFeeling->modeAction().isChecked())
+            work.shared->choose(*work.hand);
         else
             work.shared->choose(*work.strokes);
         work.profile->setVisible(!mProfile->isHidden());

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/editor/sandbox/feeling.h"
+#include "views/haptics/forcearrow.h"
+#include "views/haptics/handonground.h"
 #include "views/sculpt/maskpainter.h"
 #include "views/sculpt/profileline.h"
 #include "views/sculpt/sharedground.h"
@@ -43,6 +46,7 @@ public:
     views::MaterialDock &materials() const { return *mMaterials; }
     views::ProfileDock &profile() const { return *mProfile; }
     views::ToolSettings &settings() { return mSettings; }
+    Feeling &feeling() { return *mFeeling; }
 
     /// While it is checked, the left button draws the line of the cross-section.
     QAction &pickAction() { return *mPick; }
@@ -71,7 +75,9 @@ private:
         std::unique_ptr<views::StrokeController> strokes;
         std::unique_ptr<views::ProfileLine> profile;
         std::unique_ptr<views::MaskPainter> mask;
-        std::unique_ptr<views::SharedGround> shared; ///< by those three
+        std::unique_ptr<views::HandOnGround> hand;
+        QPointer<views::ForceArrow> arrow;           ///< the viewport's; null without OpenGL
+        std::unique_ptr<views::SharedGround> shared; ///< by strokes, profile, mask and hand
     };
 
     void follow();
@@ -79,6 +85,7 @@ private:
     void begin(TerrainTab &tab, Work &work);
     void forget(Work &work);
     void shareGround();
+    QList<QAction *> modes() const; ///< one of them at most is checked
     void showActive(TerrainTab &tab, const Work &work);
     Work *present();
 
@@ -89,6 +96,7 @@ private:
     views::ErosionDock *mErosion;
     views::MaterialDock *mMaterials;
     QAction *mPick, *mPaint;
+    Feeling *mFeeling;
     views::ProfileDock *mProfile;
     std::map<TerrainTab *, Work> mWork;
 };

@@ -106,6 +106,24 @@ TerrainMenu::TerrainMenu(Actions &actions, Menus &menus, Sandbox &sandbox)
         actions.adopt(*mode, QT_TRANSLATE_NOOP("Actions", "&Terrain"), DocumentKind::Terrain);
     }
     makeRows(menus, MaskRows);
+    menus.terrainMenu().addSeparator();
+    Feeling &feeling = sandbox.feeling();
+    for (QAction *action : {&feeling.modeAction(), &feeling.forcesAction(), &feeling.stopAction()}) {
+        menus.terrainMenu().addAction(action);
+        actions.adopt(*action, QT_TRANSLATE_NOOP("Actions", "&Terrain"), DocumentKind::Terrain);
+    }
+    mTexts.push_back([&feeling] {
+        feeling.modeAction().setText(translated(QT_TRANSLATE_NOOP("Actions", "Feel with the Mouse (&Haptics)")));
+        feeling.modeAction().setStatusTip(translated(
+            QT_TRANSLATE_NOOP("Actions", "The mouse moves the simulated haptic device, the wheel presses it in")));
+        feeling.forcesAction().setText(translated(QT_TRANSLATE_NOOP("Actions", "Haptic F&orces")));
+        feeling.forcesAction().setStatusTip(
+            translated(QT_TRANSLATE_NOOP("Actions", "Let the haptic device push; off at every start")));
+        feeling.stopAction().setText(translated(QT_TRANSLATE_NOOP("Actions", "Sto&p All Forces")));
+        feeling.stopAction().setStatusTip(
+            translated(QT_TRANSLATE_NOOP("Actions", "Forces off, at once; Escape does the same anywhere")));
+        feeling.retranslate();
+    });
     mTexts.push_back([&pick = sandbox.pickAction(), &paint = sandbox.maskAction()] {
         paint.setText(translated(QT_TRANSLATE_NOOP("Actions", "Paint M&ask")));
         paint.setStatusTip(translated(QT_TRANSLATE_NOOP(

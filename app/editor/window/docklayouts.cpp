@@ -9,7 +9,7 @@ namespace editor {
 namespace {
 
 // Raised when docks or toolbars come or go, so that an old layout does not hide the new ones.
-constexpr int StateVersion = 3;
+constexpr int StateVersion = 4;
 
 } // namespace
 

@@ -13,6 +13,7 @@
 #include "views/docks/terrain/profiledock.h"
 #include "views/docks/terrain/toolsdock.h"
 #include "views/docks/timelinedock.h"
+#include "views/haptics/hapticsdock.h"
 #include "views/widgets/icons.h"
 
 #include <QCloseEvent>
@@ -130,6 +131,7 @@ void MainWindow::makeDocks()
         splitDockWidget(dock, mHistory, Qt::Vertical);
     }
     tabifyDockWidget(&mSandbox.materials(), &mSandbox.erosion());
+    tabifyDockWidget(&mSandbox.erosion(), &mSandbox.feeling().dock());
     addDockWidget(Qt::BottomDockWidgetArea, &mSandbox.profile());
     splitDockWidget(mTimeline, mLogDock, Qt::Vertical);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -149,8 +151,11 @@ void MainWindow::makeDocks()
     QList<QDockWidget *> sandbox{&mSandbox.tools(), &mSandbox.erosion(), &mSandbox.materials()};
     for (QDockWidget *dock : sandbox)
         mLayouts.add(*dock, DocumentKind::Terrain);
-    mLayouts.add(mSandbox.profile(), DocumentKind::Terrain, true);
-    sandbox << &mSandbox.profile();
+    for (QDockWidget *dock :
+         {static_cast<QDockWidget *>(&mSandbox.profile()), static_cast<QDockWidget *>(&mSandbox.feeling().dock())}) {
+        mLayouts.add(*dock, DocumentKind::Terrain, true);
+        sandbox << dock;
+    }
     mLayouts.add(*mHistory, {});
     mLayouts.add(*mLogDock, {}, true);
     QList<QAction *> docks;

@@ -50,6 +50,7 @@ public:
     /// Asks about what an earlier session left, if it left something.
     void offerRecovery() { mFiles.offerRecovery(); }
     Workspace &workspace() { return *mWorkspace; }
+    Sandbox &sandbox() { return mSandbox; }
     Actions &actions() { return mActions; }
     views::LogModel &log() { return mLog; }
 

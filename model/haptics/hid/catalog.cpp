@@ -51,6 +51,14 @@ const char *nameOf(DeviceKind kind)
     return "";
 }
 
+FoundDevice simulatedDevice()
+{
+    FoundDevice simulated;
+    simulated.id = "simulated";
+    simulated.name = "Simulated device";
+    return simulated;
+}
+
 std::vector<FoundDevice> findDevices(HidSystem &system)
 {
     std::vector<FoundDevice> found;
@@ -72,10 +80,7 @@ std::vector<FoundDevice> findDevices(HidSystem &system)
     found.erase(std::unique(found.begin(), found.end(),
                             [](const FoundDevice &a, const FoundDevice &b) { return a.id == b.id; }),
                 found.end());
-    FoundDevice simulated;
-    simulated.id = "simulated";
-    simulated.name = "Simulated device";
-    found.insert(found.begin(), std::move(simulated));
+    found.insert(found.begin(), simulatedDevice());
     return found;
 }
 

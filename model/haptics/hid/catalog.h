@@ -26,6 +26,9 @@ struct FoundDevice
 /// /etc/udev/rules.d by hand otherwise.
 inline constexpr const char *UdevRuleName = "70-sandreel-haptics.rules";
 
+/// The one that is always there.
+FoundDevice simulatedDevice();
+
 /// The simulated device, and every device of the system that is of use, in a stable order. A system whose HID library
 /// fails has the simulated one alone.
 std::vector<FoundDevice> findDevices(HidSystem &system);

@@ -10,7 +10,7 @@ constexpr double PatchReach = 6;
 
 } // namespace
 
-HapticsService::HapticsService(std::unique_ptr<HidSystem> system)
+HapticsService::HapticsService(std::shared_ptr<HidSystem> system)
     : mSystem(std::move(system))
 {}
 

@@ -22,7 +22,7 @@ namespace model::haptics {
 class HapticsService
 {
 public:
-    explicit HapticsService(std::unique_ptr<HidSystem> system = hidapiSystem());
+    explicit HapticsService(std::shared_ptr<HidSystem> system = hidapiSystem());
     HapticsService(const HapticsService &) = delete;
     HapticsService &operator=(const HapticsService &) = delete;
     ~HapticsService(); ///< closes
@@ -71,7 +71,7 @@ private:
     void begin(OpenDevice device);
     void publishSettings();
 
-    std::unique_ptr<HidSystem> mSystem;
+    std::shared_ptr<HidSystem> mSystem;
     OpenDevice mDevice;
     std::unique_ptr<ServoCore> mCore;
     std::unique_ptr<SampleRing> mRing;

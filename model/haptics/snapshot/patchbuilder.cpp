@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/haptics/snapshot/patchbuilder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,10 @@ namespace {
 
 constexpr std::uint32_t SamplesPerSide = 16;
 static_assert(2 * (SamplesPerSide - 1) * (SamplesPerSide - 1) <= TerrainPatch::MaxTriangles);
+
+/// A square that seems to hold so many patches is not searched: that would take as long as there are triangles.
+constexpr double SearchedPatches = 4;
+constexpr std::uint32_t ProbesPerSide = 8;
 
 /// In radii of the patch: corners further away would not be exact enough as floats.
 constexpr double LongestReach = 1000;
@@ -36,6 +41,27 @@ Feel feelAt(const Terrain &terrain, Point2 p)
     return rockFeel();
 }
 
+/// About how many triangles the square around a place holds: by the areas of those at some places.
+double triangleEstimate(const Tin &tin, Point2 centre, double radius)
+{
+    const double cell = 2 * radius / ProbesPerSide;
+    double count = 0;
+    VertexId near = None;
+    for (std::uint32_t j = 0; j < ProbesPerSide; ++j)
+        for (std::uint32_t i = 0; i < ProbesPerSide; ++i) {
+            const Point2 p{centre.x - radius + (i + 0.5) * cell, centre.y - radius + (j + 0.5) * cell};
+            if (!tin.domain().contains(p))
+                continue;
+            const TriangleId t = tin.triangleAt(p, near);
+            near = tin.arrays().vertex(cornerOf(t, 0));
+            const Point2 a = tin.arrays().pointAt(cornerOf(t, 0)), b = tin.arrays().pointAt(cornerOf(t, 1)),
+                         c = tin.arrays().pointAt(cornerOf(t, 2));
+            const double area = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+            count += cell * cell / std::max(area, 1e-12 * cell * cell);
+        }
+    return count;
+}
+
 } // namespace
 
 void PatchBuilder::build(const Terrain &terrain, Point2 centre, double radius, TerrainPatch &patch)
@@ -49,10 +75,12 @@ void PatchBuilder::build(const Terrain &terrain, Point2 centre, double radius, T
     if (std::isfinite(centre.x) && std::isfinite(centre.y) && tin.domain().contains(centre)) {
         patch.centreHeight = tin.heightAt(centre);
         patch.feel = feelAt(terrain, centre);
-        // The disc around the patch's square.
-        mSearch.search(tin, centre, radius * std::numbers::sqrt2);
-        if (takeTriangles(tin, patch) && patch.index())
-            return;
+        if (triangleEstimate(tin, centre, radius) < SearchedPatches * TerrainPatch::MaxTriangles) {
+            // The disc around the patch's square.
+            mSearch.search(tin, centre, radius * std::numbers::sqrt2);
+            if (takeTriangles(tin, patch) && patch.index())
+                return;
+        }
         sample(tin, patch);
     }
     patch.index();
