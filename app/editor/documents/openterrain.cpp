@@ -39,12 +39,10 @@ model::Result<Saved> saveToFile(const model::terrain::Terrain &terrain, model::i
     return Saved{stamp, std::move(*base)};
 }
 
-constexpr QLatin1String MaskKey("mask");
-
 /// Null if there is none, or none that can be read: the terrain is worth more than a mask.
 model::GroundMask::Value savedMask(const model::io::TerrainExtras &extras, const model::terrain::Rectangle &domain)
 {
-    const auto mask = model::io::maskOf(extras.tools[MaskKey].toObject(), domain);
+    const auto mask = model::io::maskOf(extras.tools[model::io::MaskKey].toObject(), domain);
     return mask ? std::make_shared<const model::terrain::PaintMask>(*mask) : nullptr;
 }
 
@@ -56,7 +54,7 @@ OpenTerrain::State::State(model::io::TerrainFile file)
     , mask(std::make_shared<model::GroundMask>(savedMask(extras, document->tin().domain())))
     , saving(*document)
     , other(*document)
-    , record(*document)
+    , record(*document, mask)
 {}
 
 OpenTerrain::OpenTerrain(QObject *parent)
@@ -205,9 +203,9 @@ model::io::TerrainExtras OpenTerrain::extrasToSave() const
 {
     model::io::TerrainExtras extras = mState->extras;
     if (const model::GroundMask::Value &mask = mState->mask->value())
-        extras.tools[MaskKey] = model::io::jsonOf(*mask);
+        extras.tools[model::io::MaskKey] = model::io::jsonOf(*mask);
     else
-        extras.tools.remove(MaskKey);
+        extras.tools.remove(model::io::MaskKey);
     return extras;
 }
 

@@ -43,6 +43,10 @@ struct RecoveryRecord::Writer
         entry->keepNewest(Generations);
         return journal->sync();
     }
+    model::Result<void> add(const model::io::JournalFrame &frame)
+    {
+        return journal ? journal->add(frame) : model::Result<void>();
+    }
     void drop()
     {
         journal.reset();
@@ -52,10 +56,12 @@ struct RecoveryRecord::Writer
     }
 };
 
-RecoveryRecord::RecoveryRecord(const model::TerrainDocument &document, QObject *parent)
+RecoveryRecord::RecoveryRecord(const model::TerrainDocument &document, std::shared_ptr<const model::GroundMask> mask,
+                               QObject *parent)
     : QObject(parent)
     , mDocument(document)
     , mSnapshot(document)
+    , mMask(std::move(mask))
     , mWriter(std::make_shared<Writer>())
 {
     mThread.setMaxThreadCount(1);
@@ -67,6 +73,7 @@ RecoveryRecord::RecoveryRecord(const model::TerrainDocument &document, QObject *
         });
     });
     connect(&document, &model::TerrainDocument::changed, this, &RecoveryRecord::noteChange);
+    connect(mMask.get(), &model::GroundMask::changed, this, &RecoveryRecord::noteMask);
 }
 
 RecoveryRecord::~RecoveryRecord()
@@ -101,11 +108,22 @@ void RecoveryRecord::continueUnsaved(const QString &title, const QString &path, 
     beginWithSnapshot();
 }
 
-void RecoveryRecord::noteChange(const model::TerrainChange &change)
+void RecoveryRecord::writeSoon()
 {
     ++mChangeCount;
     if (!mSoon.isActive())
         mSoon.start(mIsBroken ? RetryMilliseconds : GatherMilliseconds);
+}
+
+void RecoveryRecord::noteMask()
+{
+    writeSoon();
+    mMaskChanged = true;
+}
+
+void RecoveryRecord::noteChange(const model::TerrainChange &change)
+{
+    writeSoon();
     if (const auto *const surface = std::get_if<model::SurfaceChanged>(&change))
         mPending.add(*surface->edit, mDocument.tin().arrays());
     else
@@ -115,7 +133,7 @@ void RecoveryRecord::noteChange(const model::TerrainChange &change)
 void RecoveryRecord::flush()
 {
     mSoon.stop();
-    if (mSnapshot.isRunning() || (mPending.isEmpty() && !mSettingsChanged && !mIsBroken))
+    if (mSnapshot.isRunning() || (mPending.isEmpty() && !mSettingsChanged && !mMaskChanged && !mIsBroken))
         return; // a snapshot has all of it
     const bool beginsOfFile = !mHasJournal && mBase.bytes > 0;
     if (mIsBroken || mPending.needsSnapshot() || mPending.vertexCount() > MostVerticesInAFrame ||
@@ -137,11 +155,12 @@ void RecoveryRecord::flush()
         frames.push_back(mPending.take(mDocument.tin().arrays()));
     if (std::exchange(mSettingsChanged, false))
         frames.push_back(model::io::frameOfSettings(mDocument.terrain()));
-    post([frames = std::move(frames)](Writer &writer) -> model::Result<void> {
+    const bool hasMask = std::exchange(mMaskChanged, false);
+    post([frames = std::move(frames), hasMask, mask = mMask->value()](Writer &writer) -> model::Result<void> {
         for (const model::io::JournalFrame &frame : frames)
-            if (auto added = writer.journal ? writer.journal->add(frame) : model::Result<void>(); !added)
+            if (auto added = writer.add(frame); !added)
                 return added;
-        return {};
+        return hasMask ? writer.add(model::io::frameOfMask(mask.get())) : model::Result<void>();
     });
 }
 
@@ -150,10 +169,13 @@ void RecoveryRecord::beginWithSnapshot()
     mSinceSnapshot.start();
     mSnapshot.start([this](std::shared_ptr<const model::terrain::Terrain> terrain) {
         mPending.clear();
-        mSettingsChanged = false;
+        mSettingsChanged = mMaskChanged = false;
         mHasJournal = true;
-        post([this, title = mTitle, path = mBase.path, terrain = std::move(terrain)](Writer &writer) {
+        post([this, title = mTitle, path = mBase.path, terrain = std::move(terrain),
+              mask = mMask->value()](Writer &writer) {
             auto begun = writer.begin(title, {path, 0, 0}, terrain.get());
+            if (begun && mask)
+                begun = writer.add(model::io::frameOfMask(mask.get()));
             if (begun) // it works again: the next failure is told again
                 QMetaObject::invokeMethod(
                     this, [this] { mIsBroken = false; }, Qt::QueuedConnection);
@@ -177,7 +199,7 @@ void RecoveryRecord::fileSaved(const QString &title, const model::io::RecoveryBa
     mSnapshot.cancel();
     mSoon.stop();
     mPending.clear();
-    mSettingsChanged = false;
+    mSettingsChanged = mMaskChanged = false;
     post([](Writer &writer) -> model::Result<void> {
         writer.drop();
         return {};
@@ -190,6 +212,7 @@ void RecoveryRecord::discard()
     mSoon.stop();
     mSyncing.stop();
     disconnect(&mDocument, nullptr, this, nullptr);
+    disconnect(mMask.get(), nullptr, this, nullptr);
     post([](Writer &writer) -> model::Result<void> {
         writer.drop();
         return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/editor/recovery/recoveryentry.h"
+#include "model/document/groundmask.h"
 #include "model/document/terrainsnapshot.h"
 #include "model/io/terrain/pendingedits.h"
 
@@ -29,8 +30,9 @@ public:
     /// Journals that are kept of one document.
     static constexpr int Generations = 3;
 
-    /// Must not outlive the document.
-    explicit RecoveryRecord(const model::TerrainDocument &document, QObject *parent = nullptr);
+    /// Must not outlive the document. \param mask  written down with it
+    RecoveryRecord(const model::TerrainDocument &document, std::shared_ptr<const model::GroundMask> mask,
+                   QObject *parent = nullptr);
     /// Waits for what is being written.
     ~RecoveryRecord() override;
 
@@ -59,6 +61,8 @@ private:
     struct Writer;
 
     void noteChange(const model::TerrainChange &change);
+    void noteMask();
+    void writeSoon();
     void beginWithSnapshot();
     void post(std::function<model::Result<void>(Writer &)> work);
     void fail(const model::Error &error);
@@ -66,7 +70,9 @@ private:
     const model::TerrainDocument &mDocument;
     model::TerrainSnapshot mSnapshot;
     model::io::PendingEdits mPending;
+    const std::shared_ptr<const model::GroundMask> mMask;
     bool mSettingsChanged = false;
+    bool mMaskChanged = false;
     std::uint64_t mChangeCount = 0;
     QString mTitle;
     model::io::RecoveryBase mBase;

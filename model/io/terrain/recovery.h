@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/io/terrain/terrainfile.h"
+#include "model/terrain/tools/paintmask.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -31,6 +32,8 @@ struct JournalFrame
 JournalFrame frameOfChanges(const terrain::EditChanges &changes, const terrain::TinArrays &tin);
 /// The materials and the georeference.
 JournalFrame frameOfSettings(const terrain::Terrain &terrain);
+/// The painted mask; null: none. Cost: O(cells), it is compressed.
+JournalFrame frameOfMask(const terrain::PaintMask *mask);
 
 /// Everything since the last save, appended as it happens, so that it comes back after a crash. FORMAT.md, 8.
 ///
@@ -79,7 +82,7 @@ Result<RecoveryBase> journalBaseOf(const QString &journalPath);
 struct RecoveredTerrain
 {
     terrain::Terrain terrain;
-    TerrainExtras extras; ///< of the saved file
+    TerrainExtras extras; ///< of the saved file, with the mask as it was painted since
     QString path;         ///< of the document
     std::uint64_t frames = 0;
     std::uint64_t tornBytes = 0; ///< at the end, of a frame that was not finished

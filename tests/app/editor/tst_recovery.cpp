@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/recovery/recoverydialog.h"
+#include "commands/terrain/setmask.h"
 #include "model/io/terrain/newterrain.h"
 #include "tests/app/editor/raiseground.h"
 #include "tests/app/editor/windowdriver.h"
@@ -7,6 +8,7 @@
 #include "tests/support/testmain.h"
 
 #include <QApplication>
+#include <QDirIterator>
 #include <QListWidget>
 #include <QProcess>
 #include <QPushButton>
@@ -123,6 +125,47 @@ private slots:
         driver.action(ActionId::CloseTab).trigger();
         QTRY_VERIFY(!driver.window.findChild<editor::TerrainTab *>());
         QVERIFY(RecoveryEntry::leftovers().empty());
+    }
+
+    void paintedMaskComesBack_data()
+    {
+        QTest::addColumn<bool>("isSaved");
+        QTest::newRow("of a file") << true;
+        QTest::newRow("never saved") << false;
+    }
+    void paintedMaskComesBack()
+    {
+        QFETCH(bool, isSaved);
+        const auto rectangle = [](const editor::OpenTerrain &document) { return document.terrain().tin().domain(); };
+        model::GroundMask::Value painted;
+        {
+            tests::WindowDriver driver; // ends without closing its document, as after a crash
+            driver.window.open({isSaved ? makeFile(mFolder->path()) : QStringLiteral(":/samples/dunes.terrain")});
+            QVERIFY(driver.settle());
+            editor::OpenTerrain &document = driver.terrain();
+            model::terrain::PaintMask mask(rectangle(document));
+            mask.paint(rectangle(document).low, rectangle(document).high, 3, 1, false);
+            painted = std::make_shared<const model::terrain::PaintMask>(mask);
+            document.context()->pushCommand(
+                std::make_unique<commands::SetMask>(document.mask(), QStringLiteral("Paint"), painted));
+            document.record().waitUntilWritten();
+            const auto hasJournal = [] { // if there is no file, a snapshot is taken first
+                const QString data = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+                return QDirIterator(data, {"*.journal"}, QDir::Files, QDirIterator::Subdirectories).hasNext();
+            };
+            QTRY_VERIFY(hasJournal());
+            document.record().waitUntilWritten();
+        }
+        tests::WindowDriver driver;
+        driver.window.offerRecovery();
+        auto *dialog = driver.window.findChild<editor::RecoveryDialog *>();
+        QVERIFY(dialog);
+        QTest::mouseClick(dialog->findChild<QPushButton *>("recover"), Qt::LeftButton);
+        QTRY_VERIFY(driver.window.workspace().currentTerrain());
+        QVERIFY(driver.settle());
+        QVERIFY(driver.terrain().mask()->value());
+        QVERIFY(*driver.terrain().mask()->value() == *painted);
+        QVERIFY(driver.terrain().isModified());
     }
 
     void nothingIsLeftOfWhatWasClosed_data()

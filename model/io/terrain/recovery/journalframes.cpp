@@ -2,6 +2,7 @@
 #include "model/io/terrain/recovery/journalframes.h"
 
 #include "model/io/terrain/ledgerfields.h"
+#include "model/io/terrain/maskjson.h"
 #include "model/io/terrain/materialjson.h"
 #include "model/terrain/tin/tinedit.h"
 
@@ -153,6 +154,11 @@ JournalFrame frameOfChanges(const EditChanges &changes, const TinArrays &tin)
 JournalFrame frameOfSettings(const Terrain &terrain)
 {
     return {SettingsFrame, jsonBytes(settingsOf(terrain))};
+}
+
+JournalFrame frameOfMask(const PaintMask *mask)
+{
+    return {MaskFrame, jsonBytes(mask ? jsonOf(*mask) : QJsonObject())};
 }
 
 } // namespace model::io

@@ -12,7 +12,7 @@ namespace model::io {
 
 /// What a journal begins with; the last byte is its version.
 inline constexpr std::uint8_t JournalMagic[8] = {'S', 'R', 'J', 'O', 'U', 'R', 'N', 1};
-enum FrameKind : std::uint8_t { BaseFrame, SnapshotFrame, EditFrame, SettingsFrame };
+enum FrameKind : std::uint8_t { BaseFrame, SnapshotFrame, EditFrame, SettingsFrame, MaskFrame };
 
 /// A frame that was read.
 struct Frame

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/base/outofmemory.h"
 #include "model/io/terrain/ledgerfields.h"
+#include "model/io/terrain/maskjson.h"
 #include "model/io/terrain/materialjson.h"
 #include "model/io/terrain/recovery/journalframes.h"
 #include "model/terrain/tin/build/restoretin.h"
@@ -116,6 +117,16 @@ public:
         mFile.terrain.geoReference = {origin[0].toDouble(), origin[1].toDouble(), json["crs"].toString().toStdString(),
                                       json["unit"].toString().toStdString()};
         return {};
+    }
+
+    const QJsonObject &tools() const { return mFile.extras.tools; }
+    /// What it protects is looked at when it is used: the terrain is worth more than a mask.
+    void addMask(const QJsonObject &json)
+    {
+        if (json.isEmpty())
+            mFile.extras.tools.remove(MaskKey);
+        else
+            mFile.extras.tools[MaskKey] = json;
     }
 
     Result<TerrainFile> finish()
@@ -254,6 +265,12 @@ private:
     std::map<LineKey, std::pair<EditChanges::Line, bool>> mLines;
 };
 
+QJsonObject jsonOfFrame(const Frame &frame)
+{
+    const QByteArray text(reinterpret_cast<const char *>(frame.payload.data()), qsizetype(frame.payload.size()));
+    return QJsonDocument::fromJson(text).object();
+}
+
 Result<RecoveredTerrain> replay(std::span<const std::uint8_t> journal, std::span<const std::uint8_t> saved,
                                 std::uint64_t memoryLimit, const Progress &progress)
 {
@@ -270,6 +287,8 @@ Result<RecoveredTerrain> replay(std::span<const std::uint8_t> journal, std::span
         Result<TerrainFile> file = parseTerrain(bytes, memoryLimit, progress.part(0.0, 0.5));
         if (!file)
             return fail(file.error());
+        if (state) // a snapshot is of the terrain alone
+            file->extras.tools = state->tools();
         state.emplace(std::move(*file));
         return {};
     };
@@ -293,10 +312,10 @@ Result<RecoveredTerrain> replay(std::span<const std::uint8_t> journal, std::span
             if (!state->addEdit(in))
                 return fail(in.error());
         } else if (frame.kind == SettingsFrame) {
-            const QByteArray text(reinterpret_cast<const char *>(frame.payload.data()),
-                                  qsizetype(frame.payload.size()));
-            if (auto read = state->addSettings(QJsonDocument::fromJson(text).object()); !read)
+            if (auto read = state->addSettings(jsonOfFrame(frame)); !read)
                 return fail(read.error());
+        } else if (frame.kind == MaskFrame) {
+            state->addMask(jsonOfFrame(frame));
         } else {
             return fail(ErrorCode::UnsupportedFeature, "frame " + std::to_string(frame.kind));
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/terraindocument.h"
+#include "model/io/terrain/maskjson.h"
 #include "model/io/terrain/recovery.h"
 #include "model/terrain/tin/validate.h"
 #include "tests/model/io/terrain/terrains.h"
@@ -10,6 +11,7 @@
 #include <QTemporaryDir>
 
 #include <csignal>
+#include <optional>
 #include <random>
 
 #include <sys/wait.h>
@@ -178,6 +180,46 @@ private slots:
         QVERIFY(recovered.has_value());
         QCOMPARE(tests::describe(recovered->terrain), states.back().second);
         QCOMPARE(recovered->path, isSaved ? path : QString());
+    }
+
+    /// The last word on the mask counts, also over a snapshot and over the one in the file; a journal that says nothing
+    /// of it, as older ones, leaves that of the file.
+    void maskComesBack()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("a.terrain"), journalPath = folder.filePath("journal");
+        const Terrain terrain = tests::specimenTerrain(tests::Ground::Random, 4, 60);
+        const Rectangle domain = terrain.tin.domain();
+        const Point2 middle{(domain.low.x + domain.high.x) / 2, (domain.low.y + domain.high.y) / 2};
+        PaintMask first(domain), second(domain);
+        first.paint(domain.low, middle, 0.1 * (domain.high.x - domain.low.x), 1, false);
+        second.paint(middle, domain.high, 0.2 * (domain.high.x - domain.low.x), 0.5, false);
+        TerrainExtras extras;
+        extras.tools[MaskKey] = jsonOf(first);
+        extras.tools["other"] = 3;
+        QVERIFY(saveTerrain(path, terrain, extras).has_value());
+        const auto base = recoveryBaseOf(path);
+        QVERIFY(base.has_value());
+        auto begun = RecoveryJournal::begin(journalPath, *base, terrain);
+        QVERIFY(begun.has_value());
+        RecoveryJournal &journal = **begun;
+        const auto maskNow = [&]() -> std::optional<PaintMask> {
+            const auto recovered = recoverTerrain(journalPath);
+            if (!recovered || recovered->extras.tools["other"] != QJsonValue(3))
+                QTest::qFail("not recovered", __FILE__, __LINE__);
+            const auto mask = maskOf(recovered->extras.tools[MaskKey].toObject(), domain);
+            return mask ? std::optional(*mask) : std::nullopt;
+        };
+        QVERIFY(journal.addSettings(terrain).has_value());
+        QVERIFY(maskNow() == first);
+        QVERIFY(journal.add(frameOfMask(&second)).has_value());
+        QVERIFY(maskNow() == second);
+        model::TerrainDocument document(terrain);
+        const Edit layers = document.edit([](TinEdit &edit) { edit.addLayer(0, 0); });
+        QVERIFY(journal.addEdit(layers, document.terrain()).has_value()); // a snapshot
+        QVERIFY(maskNow() == second);
+        QVERIFY(journal.add(frameOfMask(nullptr)).has_value());
+        QVERIFY(!maskNow());
     }
 
     /// Power that fails while blocks are written leaves any bytes: whatever is there, it is refused or sound.
