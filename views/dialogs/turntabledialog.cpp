@@ -50,6 +50,7 @@ TurntableDialog::TurntableDialog(SceneViewport &viewport, DrawView draw, const Q
     mTurn->setMinimumWidth(PreviewSize.width());
     mPreview->setObjectName(QStringLiteral("preview"));
     mPreview->setFixedSize(PreviewSize);
+    mPreview->setAlignment(Qt::AlignCenter);
     form().addRow(tr("F&older:"), mFolder);
     mSize = new PictureSizeFields(form(), viewport.size() * viewport.devicePixelRatioF(), viewport.maximumPictureSize(),
                                   this);
@@ -59,6 +60,7 @@ TurntableDialog::TurntableDialog(SceneViewport &viewport, DrawView draw, const Q
     form().addRow(QString(), mPreview);
     connect(mFolder, &PathField::pathChanged, this, &TurntableDialog::refresh);
     connect(mSize, &PictureSizeFields::changed, this, &TurntableDialog::refresh);
+    connect(mSize, &PictureSizeFields::changed, this, &TurntableDialog::showPreview);
     connect(mCount, &NumberField::changed, this, &TurntableDialog::refresh);
     connect(mDirection, &QComboBox::currentIndexChanged, this, &TurntableDialog::showPreview);
     connect(mTurn, &QSlider::valueChanged, this, &TurntableDialog::showPreview);
@@ -79,6 +81,14 @@ bool TurntableDialog::isClockwise() const
     return mDirection->currentData().toBool();
 }
 
+/// As wide for its height as the pictures will be.
+QSize TurntableDialog::previewSize() const
+{
+    if (!mSize->problem().isEmpty())
+        return PreviewSize;
+    return mSize->size().scaled(PreviewSize, Qt::KeepAspectRatio).expandedTo({1, 1});
+}
+
 void TurntableDialog::showPreview()
 {
     mIsPreviewOld = true;
@@ -88,7 +98,7 @@ void TurntableDialog::showPreview()
     const auto turn = std::size_t(mTurn->value());
     mDrawing.start(
         [draw = mDraw, camera = cameraOf(mViewport.camera(), turn, 360, isClockwise()),
-         size = PreviewSize](const model::Progress &progress) -> model::Result<QImage> {
+         size = previewSize()](const model::Progress &progress) -> model::Result<QImage> {
             return draw(size, camera, progress).value_or(QImage());
         },
         [this](const model::Result<QImage> &picture) {

@@ -38,6 +38,7 @@ protected:
 
 private:
     bool isClockwise() const;
+    QSize previewSize() const;
     void showPreview();
 
     SceneViewport &mViewport;

@@ -30,6 +30,14 @@ QPixmap emptyPicture(const QWidget &widget)
     return picture;
 }
 
+/// The same where it is selected: else the style tints it.
+QIcon iconOf(const QPixmap &picture)
+{
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);
+    return icon;
+}
+
 } // namespace
 
 RecoveryDialog::RecoveryDialog(std::vector<Leftover> leftovers, QWidget *parent)
@@ -82,7 +90,7 @@ void RecoveryDialog::fill()
             leftover.path.isEmpty() ? tr("Never saved to a file") : QDir::toNativeSeparators(leftover.path);
         const QString facts = tr("%1, %2").arg(QLocale().toString(leftover.changed, QLocale::ShortFormat),
                                                views::bytesText(std::uint64_t(leftover.bytes)));
-        mList->addItem(new QListWidgetItem(empty, QStringList{name, place, facts}.join(QLatin1Char('\n'))));
+        mList->addItem(new QListWidgetItem(iconOf(empty), QStringList{name, place, facts}.join(QLatin1Char('\n'))));
     }
     mList->selectAll();
 }
@@ -106,7 +114,7 @@ void RecoveryDialog::drawNext()
             // What cannot be drawn stays without a picture: recovering it says why.
             for (std::size_t row = 0; row < mLeftovers.size() && drawn; ++row)
                 if (mLeftovers[row].folder == folder)
-                    mList->item(int(row))->setIcon(QPixmap::fromImage(*drawn));
+                    mList->item(int(row))->setIcon(iconOf(QPixmap::fromImage(*drawn)));
             drawNext();
         });
 }

@@ -4,6 +4,7 @@
 #include "views/dialogs/numberfield.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -14,15 +15,38 @@
 
 namespace views {
 
+namespace {
+
+/// Scrolls up and down alone: as wide as what is in it, whatever that comes to be.
+class TallArea final : public QScrollArea
+{
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest)
+            fit();
+        return QScrollArea::eventFilter(watched, event);
+    }
+    void showEvent(QShowEvent *event) override
+    {
+        fit(); // texts and fonts are what they will be
+        QScrollArea::showEvent(event);
+    }
+
+private:
+    void fit() { setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width()); }
+};
+
+} // namespace
+
 void setScrolledWidget(QDockWidget &dock, QWidget *content)
 {
-    auto *scroll = new QScrollArea;
+    auto *scroll = new TallArea;
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setFocusPolicy(Qt::NoFocus); // the fields in it have the focus
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(content);
-    scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
     QWidget *before = dock.widget();
     dock.setWidget(scroll);
     delete before;

@@ -115,6 +115,7 @@ QWidget *MaterialDock::makeLayers(QWidget *parent)
     mLayers->setRootIsDecorated(false);
     mLayers->setUniformRowHeights(true);
     mLayers->setMinimumHeight(96);
+    mLayers->setMaximumHeight(140); // a few layers are usual; the materials below are to be seen
     mLayers->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     mLayers->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     mLayers->header()->setStretchLastSection(false);
