@@ -34,7 +34,7 @@ constexpr int ShowPause = 40;
 
 TerrainViewport::TerrainViewport(const model::TerrainDocument &document, QWidget *parent)
     : SceneViewport(parent)
-    , mDocument(document)
+    , mDocument(&document)
     , mFrame(document.tin())
     , mDispatcher(*this, [this](QPointF place) { return groundAt(place); })
     , mLimits(glSupport().isSoftware ? StepLimits::software() : StepLimits())
@@ -45,7 +45,7 @@ TerrainViewport::TerrainViewport(const model::TerrainDocument &document, QWidget
     setAccessibleDescription(
         tr("The terrain in 3D. Plus and minus zoom, Home shows all of it. While you sculpt, arrow keys "
            "move the tool and Space presses and lifts it; with Ctrl they turn the terrain."));
-    connect(&mDocument, &model::TerrainDocument::changed, this, &TerrainViewport::documentChanged);
+    listen();
     for (const auto &[timer, interval] :
          {std::pair(&mMovePause, MovePause), std::pair(&mShadowPause, ShadowPause), std::pair(&mRefining, 0)}) {
         timer->setSingleShot(true);
@@ -66,6 +66,33 @@ TerrainViewport::~TerrainViewport()
 {
     mDispatcher.setInteraction(nullptr);
     closeGl();
+}
+
+void TerrainViewport::listen()
+{
+    connect(mDocument, &model::TerrainDocument::changed, this, &TerrainViewport::documentChanged);
+}
+
+void TerrainViewport::setDocument(const model::TerrainDocument &document)
+{
+    mDispatcher.setInteraction(nullptr); // it may hold on to what was there
+    mDocument = &document;
+    mFrame = GroundFrame(document.tin());
+    listen();
+    mReference.reset();
+    mMask.reset();
+    mActive.clear();
+    mIsActiveStale = true;
+    if (mRenderer) {
+        makeCurrent();
+        mOther.reset();
+        mRenderer->setTerrain(document.terrain());
+        mPicture->noteAll();
+        doneCurrent();
+    }
+    if (!control().isMoved())
+        fitView();
+    redrawMoving();
 }
 
 void TerrainViewport::setInteraction(GroundInteraction *interaction)
@@ -139,8 +166,8 @@ void TerrainViewport::paletteChanged()
 
 model::Box3f TerrainViewport::sceneBox() const
 {
-    const TinArrays &tin = mDocument.tin().arrays();
-    const Rectangle &domain = mDocument.tin().domain();
+    const TinArrays &tin = mDocument->tin().arrays();
+    const Rectangle &domain = mDocument->tin().domain();
     double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
     for (VertexId v = 0; v < tin.vertexSlots(); ++v) {
         if (!tin.isVertex(v))
@@ -173,7 +200,7 @@ void TerrainViewport::documentChanged(const model::TerrainChange &change)
 void TerrainViewport::makeRenderer(QOpenGLFunctions_3_3_Core &gl)
 {
     mGl = &gl;
-    mRenderer = std::make_unique<TerrainRenderer>(gl, mDocument.terrain(), mFrame, mLimits.mapPieces);
+    mRenderer = std::make_unique<TerrainRenderer>(gl, mDocument->terrain(), mFrame, mLimits.mapPieces);
     mRenderer->setReference(mReference);
     mRenderer->setMask(mMask);
     // Where the processor draws, smoothing edges costs too much for the screen.
@@ -261,10 +288,10 @@ void TerrainViewport::drawOverlay()
     if (!mRenderer->error().isEmpty())
         return drawShaderError(painter, mRenderer->error());
     if (const GroundInteraction *interaction = mDispatcher.interaction())
-        drawDrapedLines(painter, interaction->lines(), mDocument.tin(),
+        drawDrapedLines(painter, interaction->lines(), mDocument->tin(),
                         [this](const Point3 &point) { return placeOf(point); });
     if (mStyle.hasLegend && mStyle.overlay != GroundOverlay::None)
-        drawGroundLegend(painter, rect(), mStyle, mRenderer->rangeOf(mStyle.overlay), mDocument.terrain());
+        drawGroundLegend(painter, rect(), mStyle, mRenderer->rangeOf(mStyle.overlay), mDocument->terrain());
     drawFocus(painter);
 }
 
@@ -338,17 +365,17 @@ GroundRay TerrainViewport::rayAt(QPointF place) const
 
 std::optional<Point3> TerrainViewport::pick(QPointF place) const
 {
-    return hitOf(mDocument.tin(), rayAt(place));
+    return hitOf(mDocument->tin(), rayAt(place));
 }
 
 std::optional<GroundEvent> TerrainViewport::groundAt(QPointF place) const
 {
     const GroundRay ray = rayAt(place);
     GroundEvent event;
-    std::optional<Point3> hit = hitOf(mDocument.tin(), ray);
+    std::optional<Point3> hit = hitOf(mDocument->tin(), ray);
     event.isOnTerrain = hit.has_value();
     if (!hit)
-        hit = hitBeyond(mDocument.tin(), ray);
+        hit = hitBeyond(mDocument->tin(), ray);
     if (!hit)
         return std::nullopt;
     event.point = *hit;

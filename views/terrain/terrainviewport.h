@@ -29,6 +29,11 @@ public:
     explicit TerrainViewport(const model::TerrainDocument &document, QWidget *parent = nullptr);
     ~TerrainViewport() override;
 
+    /// Shows another terrain from the same eye, or from one that sees all of it if nobody moved it; reference, mask and
+    /// active triangles are gone. The one before may be gone already, but then nothing else may have been asked of the
+    /// viewport since. Costs less than a new viewport: context and programs stay.
+    void setDocument(const model::TerrainDocument &document);
+
     void setInteraction(GroundInteraction *interaction) override;
     std::optional<model::terrain::Point3> pick(QPointF place) const override;
     void updateLines() override;
@@ -86,8 +91,10 @@ private:
     GroundRay rayAt(QPointF place) const;
     std::optional<GroundEvent> groundAt(QPointF place) const;
 
-    const model::TerrainDocument &mDocument;
-    const GroundFrame mFrame;
+    void listen();
+
+    const model::TerrainDocument *mDocument;
+    GroundFrame mFrame;
     GroundDispatcher mDispatcher;
     TerrainStyle mStyle;
     StepLimits mLimits;

@@ -10,25 +10,25 @@ TerrainTab::TerrainTab(bool canDraw, QWidget *parent)
     : DocumentTab(std::make_unique<OpenTerrain>(), parent)
     , mCanDraw(canDraw)
 {
-    connect(&document(), &Document::aboutToBeReplaced, this, &TerrainTab::letGo);
+    connect(&document(), &Document::aboutToBeReplaced, this, &TerrainTab::leaveGround);
 }
 
 TerrainTab::~TerrainTab()
 {
-    letGo(); // the document goes before the widgets
+    leaveGround(); // the document goes before the widgets
+    delete mViewport;
     disconnect(&document(), nullptr, this, nullptr);
 }
 
 QWidget *TerrainTab::page()
 {
-    if (mPage)
-        return mPage;
     if (mCanDraw) {
-        mPage = mViewport = new views::TerrainViewport(document().terrain(), this);
+        if (mViewport)
+            mViewport->setDocument(document().terrain());
+        else
+            mPage = mViewport = new views::TerrainViewport(document().terrain(), this);
         mGround = mViewport;
-        if (mCamera)
-            mViewport->setCamera(*mCamera);
-    } else {
+    } else if (!mPage) {
         auto *map = new views::NoGlTerrainView(document().terrain(), this);
         mPage = map;
         mGround = map;
@@ -37,15 +37,15 @@ QWidget *TerrainTab::page()
     return mPage;
 }
 
-void TerrainTab::letGo()
+/// The document goes. The viewport is kept for the next one: its context and its programs take long to make.
+void TerrainTab::leaveGround()
 {
-    if (mViewport)
-        mCamera = mViewport->camera();
-    QWidget *page = std::exchange(mPage, nullptr);
-    mViewport = nullptr;
     mGround = nullptr;
     emit groundChanged();
-    delete page;
+    if (mViewport)
+        disconnect(&document().terrain(), nullptr, mViewport, nullptr);
+    else
+        delete std::exchange(mPage, nullptr);
 }
 
 } // namespace editor

@@ -3,7 +3,6 @@
 
 #include "app/editor/documents/documenttab.h"
 #include "app/editor/documents/openterrain.h"
-#include "model/mesh/camera.h"
 
 namespace views {
 class GroundView;
@@ -24,9 +23,9 @@ public:
 
     OpenTerrain &document() { return static_cast<OpenTerrain &>(DocumentTab::document()); }
     const OpenTerrain &document() const { return static_cast<const OpenTerrain &>(DocumentTab::document()); }
-    /// Null while it is being opened, and without OpenGL. Another one after a reload.
+    /// Null until it is opened, and without OpenGL; with another document after a reload.
     views::TerrainViewport *viewport() const { return mViewport; }
-    /// Where tools work, with OpenGL or without; null while it is being opened. Another one after a reload.
+    /// Where tools work, with OpenGL or without; null while it is being opened.
     views::GroundView *ground() const { return mGround; }
 
 signals:
@@ -37,13 +36,12 @@ protected:
     QWidget *page() override;
 
 private:
-    void letGo();
+    void leaveGround();
 
     const bool mCanDraw;
     QWidget *mPage = nullptr;
     views::TerrainViewport *mViewport = nullptr;
     views::GroundView *mGround = nullptr;
-    std::optional<model::OrbitCamera> mCamera; ///< kept over a reload
 };
 
 } // namespace editor

@@ -230,6 +230,45 @@ private slots:
         QCOMPARE(picture(), before);
     }
 
+    /// After a reload: the same view shows another terrain as one that was made for it, and nothing of the one before.
+    void anotherDocumentShowsAsInANewView()
+    {
+        auto before =
+            tests::groundDocument(tests::UnitSquare, 40, [](double x, double y) { return 0.3 * tests::dunes(y, x); });
+        const auto after =
+            tests::groundDocument({{10, 20}, {13, 22}}, 50, [](double x, double y) { return 7 + tests::dunes(x, y); });
+        TerrainViewport kept(*before);
+        kept.resize(320, 240);
+        kept.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&kept));
+        TerrainStyle style = mViewport->style();
+        style.quality = GroundQuality::Medium;
+        kept.setStyle(style);
+        kept.setReference(std::make_shared<const Terrain>(before->terrain()));
+        (void)tests::settled(kept);
+        kept.setDocument(*after);
+        before.reset();
+        TerrainViewport fresh(*after);
+        fresh.resize(320, 240);
+        fresh.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&fresh));
+        fresh.setStyle(style);
+        QCOMPARE(kept.camera().target.y, fresh.camera().target.y); // nobody moved it
+        const auto same = [&] {
+            return kept.renderPicture({300, 200}, fresh.camera()) == fresh.renderPicture({300, 200}, fresh.camera());
+        };
+        QVERIFY(same());
+        const QImage still = kept.renderPicture({300, 200}, fresh.camera());
+        after->edit([](TinEdit &edit) { edit.insert({11, 21}, 7.5); });
+        QVERIFY(same());
+        QVERIFY(kept.renderPicture({300, 200}, fresh.camera()) != still);
+        style.overlay = GroundOverlay::CutAndFill; // the reference is gone with the document
+        kept.setStyle(style);
+        fresh.setStyle(style);
+        QVERIFY(same());
+        QVERIFY(kept.pick(QPointF(160, 120)).has_value());
+    }
+
     void stampOfAMillionVerticesIsSentIn256KiB()
     {
         // As many vertices under the tool and its rim as a radius of 0.04 has in a unit square of a million.

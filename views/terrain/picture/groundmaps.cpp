@@ -53,6 +53,15 @@ GroundMaps::~GroundMaps()
     mGl.glDeleteTextures(TextureCount, mTextures);
 }
 
+void GroundMaps::restart()
+{
+    mHasHeights = mHasLight = false;
+    mHeightTiles.addAll();
+    mLightTiles.addAll();
+    mLightChanges = {};
+    mSun = {};
+}
+
 void GroundMaps::setSide(int side)
 {
     if (side == mSide)

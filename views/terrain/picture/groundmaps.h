@@ -19,6 +19,8 @@ public:
     GroundMaps(const GroundMaps &) = delete;
     GroundMaps &operator=(const GroundMaps &) = delete;
 
+    /// Of another terrain from now on, whose frame is there already.
+    void restart();
     /// Notes where vertices changed, in the scene.
     void note(const model::Box3f &changed);
     /// \param side  texels of the maps; another one starts anew

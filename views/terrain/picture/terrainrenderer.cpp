@@ -85,9 +85,9 @@ bool isInView(const model::Matrix4 &matrix, const model::Box3f &box)
 TerrainRenderer::TerrainRenderer(QOpenGLFunctions_3_3_Core &gl, const Terrain &terrain, const GroundFrame &frame,
                                  int mapPieces)
     : mGl(gl)
-    , mTerrain(terrain)
+    , mTerrain(&terrain)
     , mFrame(frame)
-    , mBuffers(gl, terrain, frame)
+    , mBuffers(std::in_place, gl, terrain, frame)
     , mBackdrop(gl, mError)
     , mMaps(gl, frame, mapPieces, mError)
     , mShading(gl, frame, mError)
@@ -104,9 +104,22 @@ TerrainRenderer::~TerrainRenderer()
     mGl.glDeleteBuffers(1, &mLineColors);
 }
 
+void TerrainRenderer::setTerrain(const Terrain &terrain)
+{
+    mTerrain = &terrain;
+    mBuffers.emplace(mGl, terrain, mFrame);
+    mMaps.restart();
+    mReference.reset();
+    mMask.reset();
+    mScalarOf = GroundOverlay::None;
+    mLinesOf = GroundEdges::None;
+    mAreLinesStale = mIsAllChanged = true;
+    mChanges = {};
+}
+
 void TerrainRenderer::note(const Edit &edit)
 {
-    mBuffers.note(edit);
+    mBuffers->note(edit);
     mAreLinesStale = true;
 }
 
@@ -128,14 +141,14 @@ void TerrainRenderer::setMask(std::shared_ptr<const PaintMask> mask)
 
 void TerrainRenderer::setActiveTriangles(const std::vector<TriangleId> &triangles)
 {
-    const TinArrays &tin = mTerrain.tin.arrays();
+    const TinArrays &tin = mTerrain->tin.arrays();
     std::vector<std::uint32_t> indices;
     indices.reserve(3 * triangles.size());
     for (const TriangleId t : triangles)
         if (tin.isTriangle(t) && !tin.isVoid(t))
             for (std::uint32_t i = 0; i < 3; ++i)
                 indices.push_back(tin.vertex(cornerOf(t, i)));
-    mBuffers.setExtra(TerrainBuffers::Extra::Triangles, indices);
+    mBuffers->setExtra(TerrainBuffers::Extra::Triangles, indices);
     mIsAllChanged = true;
 }
 
@@ -148,18 +161,18 @@ void TerrainRenderer::updateScalar(const TerrainStyle &style)
         return; // numbers that are there do no harm
     mScalarOf = wanted;
     mScalarLayer = style.thicknessLayer;
-    mBuffers.setScalar(wanted == GroundOverlay::Thickness ? thicknessOf(mTerrain, style.thicknessLayer)
-                       : wanted == GroundOverlay::Mask    ? protectionOf(mTerrain, mMask)
-                                                          : heightOver(mTerrain, mReference));
+    mBuffers->setScalar(wanted == GroundOverlay::Thickness ? thicknessOf(*mTerrain, style.thicknessLayer)
+                        : wanted == GroundOverlay::Mask    ? protectionOf(*mTerrain, mMask)
+                                                           : heightOver(*mTerrain, mReference));
 }
 
 void TerrainRenderer::upload(const TerrainStyle &style, double milliseconds)
 {
     updateScalar(style);
     const GroundRange before = rangeOf(style.overlay);
-    if (mBuffers.upload(milliseconds)) {
-        mChanges.add(mBuffers.changedBox());
-        mMaps.note(mBuffers.changedBox());
+    if (mBuffers->upload(milliseconds)) {
+        mChanges.add(mBuffers->changedBox());
+        mMaps.note(mBuffers->changedBox());
     }
     const GroundRange after = rangeOf(style.overlay);
     if (style.overlay != GroundOverlay::None && (after.low != before.low || after.high != before.high))
@@ -181,19 +194,19 @@ GroundRange TerrainRenderer::rangeOf(GroundOverlay overlay) const
     const auto notEmpty = [](double low, double high) { return GroundRange{low, high > low ? high : low + 1}; };
     switch (overlay) {
     case GroundOverlay::Height:
-        if (mBuffers.box().isEmpty())
+        if (mBuffers->box().isEmpty())
             break;
-        return notEmpty(double(mBuffers.box().min.y) + mFrame.middle().z,
-                        double(mBuffers.box().max.y) + mFrame.middle().z);
+        return notEmpty(double(mBuffers->box().min.y) + mFrame.middle().z,
+                        double(mBuffers->box().max.y) + mFrame.middle().z);
     case GroundOverlay::Slope:
         return {0, SteepestSlope};
     case GroundOverlay::Humidity:
     case GroundOverlay::Mask:
         return {0, 100};
     case GroundOverlay::Thickness:
-        return notEmpty(0, double(mBuffers.highestScalar()));
+        return notEmpty(0, double(mBuffers->highestScalar()));
     case GroundOverlay::CutAndFill: {
-        const double reach = double(std::max(-mBuffers.lowestScalar(), mBuffers.highestScalar()));
+        const double reach = double(std::max(-mBuffers->lowestScalar(), mBuffers->highestScalar()));
         return reach > 0 ? GroundRange{-reach, reach} : GroundRange{-1, 1};
     }
     case GroundOverlay::None:
@@ -206,12 +219,12 @@ double TerrainRenderer::contourInterval(const TerrainStyle &style) const
 {
     if (style.contourInterval > 0)
         return style.contourInterval;
-    return roundUp(mBuffers.box().isEmpty() ? 1 : double(mBuffers.box().size().y) / 20);
+    return roundUp(mBuffers->box().isEmpty() ? 1 : double(mBuffers->box().size().y) / 20);
 }
 
 bool TerrainRenderer::isLarge() const
 {
-    return mTerrain.tin.triangleCount() > GroundShading::gridTriangles();
+    return mTerrain->tin.triangleCount() > GroundShading::gridTriangles();
 }
 
 bool TerrainRenderer::wantsLight(const TerrainPicture &picture) const
@@ -226,7 +239,7 @@ bool TerrainRenderer::hasLateShadows(const TerrainStyle &style) const
 
 bool TerrainRenderer::hasMapWork(const TerrainPicture &picture) const
 {
-    if (mBuffers.hasMore())
+    if (mBuffers->hasMore())
         return false;
     const bool isLit = wantsLight(picture);
     if (mMaps.side() != mapSideFor(picture.style) || mMaps.areHeightsStale())
@@ -238,10 +251,10 @@ model::Box3f TerrainRenderer::stepMaps(const TerrainPicture &picture)
 {
     mMaps.setSide(mapSideFor(picture.style));
     if (mMaps.areHeightsStale()) {
-        mMaps.stepHeights(mBuffers);
+        mMaps.stepHeights(*mBuffers);
         return {};
     }
-    const model::Box3f lit = mMaps.aimLight(mBuffers.box(), sunDirection(picture.style));
+    const model::Box3f lit = mMaps.aimLight(mBuffers->box(), sunDirection(picture.style));
     if (mMaps.isLightStale())
         mMaps.stepLight();
     return lit;
@@ -250,7 +263,7 @@ model::Box3f TerrainRenderer::stepMaps(const TerrainPicture &picture)
 QRect TerrainRenderer::partOf(const TerrainPicture &picture, const model::Box3f &box) const
 {
     const QRect all(QPoint(0, 0), picture.size);
-    const model::Matrix4 whole = model::multiply(projectionOf(picture, mBuffers.box()), picture.camera.viewMatrix());
+    const model::Matrix4 whole = model::multiply(projectionOf(picture, mBuffers->box()), picture.camera.viewMatrix());
     float low[2] = {1, 1}, high[2] = {-1, -1};
     for (int corner = 0; corner < 8; ++corner) {
         const std::array<float, 4> clip = clipOf(whole, box, corner);
@@ -275,7 +288,7 @@ void TerrainRenderer::begin(const TerrainPicture &picture, const QRect &part, Pa
 {
     progress.isBegun = true;
     progress.view = picture.camera.viewMatrix();
-    progress.projection = projectionOf(picture, mBuffers.box());
+    progress.projection = projectionOf(picture, mBuffers->box());
     progress.seen = model::multiply(cropTo(part, picture.size), model::multiply(progress.projection, progress.view));
     clearPicture(mGl);
     if (mError.isEmpty())
@@ -315,12 +328,12 @@ void TerrainRenderer::drawPart(const TerrainPicture &picture, GLuint framebuffer
 bool TerrainRenderer::drawGround(const TerrainPicture &picture, PartProgress &progress, std::uint32_t mostChunks)
 {
     progress.drawnChunks = 0;
-    if (progress.chunk >= mBuffers.chunkCount())
+    if (progress.chunk >= mBuffers->chunkCount())
         return true;
     const bool isGrid = picture.isCoarse && isLarge() && mMaps.hasHeights();
     const GroundShading::Scene scene{picture,
                                      mMaps,
-                                     hasShadows(picture.style) && mMaps.hasLight() && !mBuffers.hasMore(),
+                                     hasShadows(picture.style) && mMaps.hasLight() && !mBuffers->hasMore(),
                                      isGrid,
                                      rangeOf(picture.style.overlay),
                                      picture.style.hasContours ? contourInterval(picture.style) : 0};
@@ -330,14 +343,14 @@ bool TerrainRenderer::drawGround(const TerrainPicture &picture, PartProgress &pr
     use(*program, progress);
     if (isGrid) {
         mShading.drawGrid(*program, mMaps);
-        progress.chunk = mBuffers.chunkCount();
+        progress.chunk = mBuffers->chunkCount();
         return true;
     }
-    const TerrainBuffers::DrawnChunks drawn = mBuffers.draw(
+    const TerrainBuffers::DrawnChunks drawn = mBuffers->draw(
         [&](const model::Box3f &box) { return isInView(progress.seen, box); }, progress.chunk, mostChunks);
     progress.chunk = drawn.next;
     progress.drawnChunks = drawn.count;
-    return progress.chunk >= mBuffers.chunkCount();
+    return progress.chunk >= mBuffers->chunkCount();
 }
 
 bool TerrainRenderer::drawActive(PartProgress &progress, std::uint32_t most)
@@ -345,9 +358,9 @@ bool TerrainRenderer::drawActive(PartProgress &progress, std::uint32_t most)
     use(*mFlat, progress);
     mFlat->setUniformValue("uFlat", ActiveColor);
     mGl.glEnable(GL_BLEND);
-    progress.active = mBuffers.drawExtra(TerrainBuffers::Extra::Triangles, progress.active, most);
+    progress.active = mBuffers->drawExtra(TerrainBuffers::Extra::Triangles, progress.active, most);
     mGl.glDisable(GL_BLEND);
-    return progress.active >= mBuffers.extraCount(TerrainBuffers::Extra::Triangles);
+    return progress.active >= mBuffers->extraCount(TerrainBuffers::Extra::Triangles);
 }
 
 void TerrainRenderer::updateLines(const TerrainStyle &style)
@@ -357,8 +370,8 @@ void TerrainRenderer::updateLines(const TerrainStyle &style)
     mAreLinesStale = false;
     mLinesOf = style.edges;
     const ConstraintLines lines =
-        constraintLines(mTerrain.tin.arrays(), style.edges == GroundEdges::ConstrainedByOwner);
-    mBuffers.setExtra(TerrainBuffers::Extra::Lines, lines.vertices);
+        constraintLines(mTerrain->tin.arrays(), style.edges == GroundEdges::ConstrainedByOwner);
+    mBuffers->setExtra(TerrainBuffers::Extra::Lines, lines.vertices);
     mGl.glBindBuffer(GL_TEXTURE_BUFFER, mLineColors);
     mGl.glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(lines.colors.size() * sizeof(std::uint32_t)), lines.colors.data(),
                      GL_DYNAMIC_DRAW);
@@ -377,10 +390,10 @@ bool TerrainRenderer::drawLines(const TerrainPicture &picture, PartProgress &pro
     mGl.glBindTexture(GL_TEXTURE_BUFFER, mLineTexture);
     mGl.glTexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, mLineColors);
     mGl.glEnable(GL_BLEND);
-    progress.line = mBuffers.drawExtra(TerrainBuffers::Extra::Lines, progress.line, most);
+    progress.line = mBuffers->drawExtra(TerrainBuffers::Extra::Lines, progress.line, most);
     mGl.glDisable(GL_BLEND);
     mGl.glBindTexture(GL_TEXTURE_BUFFER, 0);
-    return progress.line >= mBuffers.extraCount(TerrainBuffers::Extra::Lines);
+    return progress.line >= mBuffers->extraCount(TerrainBuffers::Extra::Lines);
 }
 
 } // namespace views

@@ -5,6 +5,8 @@
 #include "views/terrain/picture/groundshading.h"
 #include "views/terrain/picture/terrainbuffers.h"
 
+#include <optional>
+
 namespace views {
 
 /// How far the drawing of a part of a picture has come; see TerrainRenderer::drawPart().
@@ -33,9 +35,13 @@ public:
     /// The driver's words if a shader did not compile; then drawPart() only clears.
     const QString &error() const { return mError; }
 
-    const TerrainBuffers &buffers() const { return mBuffers; }
+    /// Another terrain from now on, with nothing that was set for the one before; programs and textures stay. The frame
+    /// is that of the new one already. The one before may be gone.
+    void setTerrain(const model::terrain::Terrain &terrain);
+
+    const TerrainBuffers &buffers() const { return *mBuffers; }
     void note(const model::terrain::Edit &edit);
-    void noteMaterials() { mBuffers.noteAll(); }
+    void noteMaterials() { mBuffers->noteAll(); }
     /// What CutAndFill compares with; null: nothing differs.
     void setReference(TerrainPtr reference);
     /// What the overlay Mask shows; null: nothing is protected.
@@ -86,10 +92,10 @@ private:
     bool drawLines(const TerrainPicture &picture, PartProgress &progress, std::uint32_t most);
 
     QOpenGLFunctions_3_3_Core &mGl;
-    const model::terrain::Terrain &mTerrain;
+    const model::terrain::Terrain *mTerrain;
     const GroundFrame &mFrame;
     QString mError;
-    TerrainBuffers mBuffers;
+    std::optional<TerrainBuffers> mBuffers; ///< always there
     Backdrop mBackdrop;
     GroundMaps mMaps;
     GroundShading mShading;
