@@ -11,6 +11,7 @@ out vec3 vPlace;
 out vec3 vNormal;
 out vec4 vColor;
 out float vNumber;
+out vec2 vSlide;
 out float vHole; // above 0: there is no ground
 
 float heightAt(vec2 share)
@@ -35,6 +36,7 @@ void main()
     vPlace = vec3((vec2(cell) / float(uSquares) * 2.0 - 1.0) * uHalf, max(height, -1e8)).xzy;
     vNormal = normalize(vec3(-slope.x, 1.0, -slope.y));
     vColor = textureLod(uPaint, share, 0.0);
+    vSlide = vec2(0.0); // nobody sees single grains in it
     vNumber = textureLod(uNumbers, share, 0.0).r;
     gl_Position = uProjection * (uView * vec4(vHole > 0.0 ? vec3(vPlace.x, 0.0, vPlace.z) : vPlace, 1.0));
 }

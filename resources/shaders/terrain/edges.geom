@@ -6,10 +6,12 @@ in vec3 gPlace[];
 in vec3 gNormal[];
 in vec4 gColor[];
 in float gNumber[];
+in vec2 gSlide[];
 out vec3 vPlace;
 out vec3 vNormal;
 out vec4 vColor;
 out float vNumber;
+out vec2 vSlide;
 out vec3 vCorner;
 
 void main()
@@ -19,6 +21,7 @@ void main()
         vNormal = gNormal[i];
         vColor = gColor[i];
         vNumber = gNumber[i];
+        vSlide = gSlide[i];
         vCorner = vec3(i == 0, i == 1, i == 2);
         gl_Position = gl_in[i].gl_Position;
         EmitVertex();

@@ -7,12 +7,14 @@ uniform bool uHasMaps;
 uniform sampler2D uLight;  // visible sun, visible sky; see light.frag
 uniform sampler2D uGrains; // slope in x and y, height, a random number; tiles
 uniform float uTile;       // metres: side of a tile of grains
+uniform float uSlideReach; // metres that detail travels with the sand
 uniform float uContour;    // metres between contours; 0: none
 uniform float uContourPhase;
 in vec3 vPlace;
 in vec3 vNormal;
 in vec4 vColor;
 in float vNumber;
+in vec2 vSlide;
 out vec4 oColor;
 
 const vec3 SunColor = vec3(1.00, 0.90, 0.74) * 1.85;
@@ -61,27 +63,51 @@ vec4 grainsAndClods(vec2 plane)
 }
 
 // No texture coordinates on a TIN: three projections, by how far the ground faces each.
-vec4 detail(vec3 normal, out vec3 bump)
+vec4 detailAt(vec3 place, vec3 normal, out vec3 bump)
 {
     vec3 weights = pow(abs(normal), vec3(6.0));
     weights /= weights.x + weights.y + weights.z;
-    vec4 sum = grainsAndClods(vPlace.xz);
+    vec4 sum = grainsAndClods(place.xz);
     bump = vec3(sum.x, 0.0, sum.y);
 #ifdef TRIPLANAR
     sum *= weights.y;
     bump *= weights.y;
     if (weights.x > 0.03) {
-        vec4 side = grainsAndClods(vPlace.zy);
+        vec4 side = grainsAndClods(place.zy);
         sum += side * weights.x;
         bump += vec3(0.0, side.y, side.x) * weights.x;
     }
     if (weights.z > 0.03) {
-        vec4 side = grainsAndClods(vPlace.xy);
+        vec4 side = grainsAndClods(place.xy);
         sum += side * weights.z;
         bump += vec3(side.x, side.y, 0.0) * weights.z;
     }
 #endif
     return sum;
+}
+
+// Detail that travels with the sand. Two copies of it do, half a reach apart; each fades out where it is taken back, so
+// that it never smears however far the sand goes. Source: N. Max, B. Becker, Flow Visualization Using Moving Textures,
+// 1995. Differs: the way is kept at the vertices, and detail is worn down where that differs too much between them.
+vec4 detail(vec3 normal, out vec3 bump)
+{
+    float slid = length(vSlide);
+    if (slid < 0.01)
+        return detailAt(vPlace, normal, bump);
+    vec2 towards = vSlide / slid;
+    float down = clamp(dot(normal.xz, towards) / max(normal.y, 0.2), -2.0, 2.0);
+    vec3 way = vec3(towards.x, -down, towards.y) * uSlideReach;
+    vec2 phase = fract(vec2(slid, slid + 0.5));
+    vec2 weights = 1.0 - abs(2.0 * phase - 1.0);
+    weights /= length(weights); // as rough together as one alone
+    vec3 firstBump, secondBump;
+    vec4 first = detailAt(vPlace - way * (phase.x - 0.5), normal, firstBump);
+    vec4 second = detailAt(vPlace - way * (phase.y - 0.5), normal, secondBump);
+    float pixel = max(max(length(dFdx(vPlace)), length(dFdy(vPlace))), 1e-9);
+    float stretch = max(length(dFdx(vSlide)), length(dFdy(vSlide))) * uSlideReach / pixel;
+    float kept = 1.0 - 0.75 * smoothstep(0.4, 1.4, stretch);
+    bump = (firstBump * weights.x + secondBump * weights.y) * kept;
+    return (first * weights.x + second * weights.y) * kept;
 }
 #endif
 
@@ -97,6 +123,7 @@ vec2 ripples(vec3 normal, out float crest)
     float phase = (dot(vPlace.xz, across) / wave + bend * 13.0) * 6.2831853;
     float pixels = 6.2831853 / max(fwidth(phase), 1e-4); // of one ripple
     float strength = smoothstep(0.88, 0.97, normal.y) * smoothstep(3.0, 9.0, pixels) * smoothstep(-0.06, 0.05, calm);
+    strength *= 1.0 - smoothstep(0.03, 0.35, length(vSlide)); // sliding wipes them out
     crest = (sin(phase) + 0.25 * sin(2.0 * phase + 0.9)) * strength;
     return -across * (cos(phase) + 0.5 * cos(2.0 * phase + 0.9)) * strength;
 }

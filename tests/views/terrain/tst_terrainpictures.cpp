@@ -2,6 +2,7 @@
 #include "tests/support/testmain.h"
 #include "tests/views/terrain/groundshapes.h"
 #include "tests/views/terrain/settled.h"
+#include "views/terrain/picture/groundvertices.h"
 #include "views/terrain/terrainpictures.h"
 #include "views/terrain/terrainviewport.h"
 #include "views/viewport/glsupport.h"
@@ -178,6 +179,78 @@ private slots:
         QVERIFY(isOther([](TerrainStyle &other) { other.sunElevation += 40; }));
         QVERIFY(isOther([](TerrainStyle &other) { other.look = GroundLook::Reference; }));
         QVERIFY(isOther([](TerrainStyle &other) { other.isDark = false; }));
+    }
+
+    /// Sand that comes and goes leaves the ground as it was, and its detail elsewhere: half a reach on the other copy
+    /// of it has taken over, in its place. What is too flat to slide keeps its detail.
+    void detailTravelsWithTheSand_data()
+    {
+        QTest::addColumn<double>("slope");
+        QTest::addColumn<int>("quality");
+        QTest::addColumn<bool>("travels");
+        QTest::newRow("steep") << 0.6 << int(GroundQuality::High) << true;
+        QTest::newRow("steep, medium") << 0.6 << int(GroundQuality::Medium) << true;
+        QTest::newRow("steep, without detail") << 0.6 << int(GroundQuality::Low) << false;
+        QTest::newRow("flat") << 0.1 << int(GroundQuality::High) << false;
+    }
+    void detailTravelsWithTheSand()
+    {
+        QFETCH(double, slope);
+        QFETCH(int, quality);
+        QFETCH(bool, travels);
+        const auto document =
+            tests::groundDocument(tests::UnitSquare, 60, [&](double x, double) { return -slope * x; });
+        TerrainViewport viewport(*document);
+        viewport.resize(320, 240);
+        viewport.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+        TerrainStyle style = plain();
+        style.quality = GroundQuality(quality);
+        viewport.setStyle(style);
+        model::OrbitCamera near = camera();
+        near.distance = 0.3f; // grains are to be seen
+        const auto picture = [&] { return viewport.renderPicture(Size, near); };
+        const auto raise = [&](double by) {
+            document->edit([&](TinEdit &edit) {
+                for (VertexId v = 0; v < edit.tin().arrays().vertexSlots(); ++v)
+                    edit.setHeight(v, edit.tin().arrays().heights[v] + by);
+            });
+            picture(); // uploads it
+        };
+        const QImage before = picture();
+        constexpr double Quarter = 0.012 / 4 * 0.6 / 1.5 / 2; // of the reach, gone twice
+        raise(-Quarter);
+        raise(Quarter);
+        const QImage quarter = picture();
+        raise(-Quarter);
+        raise(Quarter);
+        const QImage half = picture();
+        if (travels) {
+            const double away = differenceOf(quarter, before).mean, back = differenceOf(half, before).mean;
+            QVERIFY2(away > 1 && back < away / 4, qPrintable(QString("%1, %2").arg(away).arg(back)));
+        } else {
+            QCOMPARE(quarter, before);
+            QCOMPARE(half, before);
+        }
+    }
+
+    void sandSlidesDownhill()
+    {
+        const float reach = 2, drop = 0.5f;
+        const auto facing = [](double x, double z) {
+            return GroundHeight{1, std::int16_t(std::lround(x * 32767)), std::int16_t(std::lround(z * 32767))};
+        };
+        const double angle = 35 * 3.14159265358979 / 180;
+        const GroundSlide east = slid({}, 1 - drop, facing(std::sin(angle), 0), reach);
+        // What came and went, over the slope, and half as much again that passes through.
+        QCOMPARE(int(east.x), int(std::lround(1.5 * drop / std::tan(angle) / reach * SlideSteps)));
+        QCOMPARE(int(east.z), 0);
+        QVERIFY(slid({}, 1 + drop, facing(std::sin(angle), 0), reach) == east); // also where sand has gone
+        const GroundSlide south = slid(east, 1 - drop, facing(0, std::sin(angle)), reach);
+        QVERIFY(south.x == east.x && south.z == east.x);
+        QVERIFY(slid(east, 1 - drop, facing(0.1, 0), reach) == east); // 6 degrees
+        QVERIFY(slid({32767, 0}, -1e9f, facing(0.6, 0), reach) == (GroundSlide{32767, 0}));
+        QVERIFY(slid({}, 1, facing(0, 0), reach) == GroundSlide());
     }
 
     void picturesInTheBackgroundAreTheSame()

@@ -113,6 +113,7 @@ QOpenGLShaderProgram *GroundShading::use(const Scene &scene)
     program->setUniformValue("uSun", toQt(sunDirection(style)));
     program->setUniformValue("uHalf", mFrame.halfX(), mFrame.halfY());
     program->setUniformValue("uTile", 2 * std::max(mFrame.halfX(), mFrame.halfY()) * TileShare);
+    program->setUniformValue("uSlideReach", TerrainBuffers::slideReach(mFrame));
     program->setUniformValue("uHasMaps", scene.hasShadows);
     program->setUniformValue("uLight", int(LightUnit));
     program->setUniformValue("uGrains", int(GrainUnit));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace views {
 
@@ -12,6 +13,10 @@ namespace {
 
 /// Thinner layers let what is below show through; metres for a terrain of any size.
 constexpr double ThinnestLayer = 1e-9;
+/// Tangents of 10 and 22 degrees: below the first nothing slides, from the second on all that changes does.
+constexpr float FlattestSlide = 0.176f, SteepSlide = 0.404f;
+/// What passes through a place, of what comes to it or leaves it. Chosen by looking at slopes that erode.
+constexpr float SlideFlow = 1.5f;
 
 QColor colorOf(MaterialPreset preset)
 {
@@ -67,6 +72,22 @@ Point3 normalAt(const TinArrays &tin, VertexId v)
     if (!(size > 0) || !std::isfinite(size))
         return {0, 0, 1};
     return {sum.x / size, sum.y / size, sum.z / size};
+}
+
+GroundSlide slid(GroundSlide slide, float before, const GroundHeight &now, float reach)
+{
+    const float x = float(now.normalX) / 32767, z = float(now.normalZ) / 32767;
+    const float across = std::hypot(x, z);
+    const float slope = across / std::sqrt(std::max(1 - across * across, 1e-6f));
+    const float steep = std::clamp((slope - FlattestSlide) / (SteepSlide - FlattestSlide), 0.0f, 1.0f);
+    if (!(steep > 0))
+        return slide;
+    const float steps = SlideFlow * steep * std::abs(now.y - before) / slope / reach * float(SlideSteps);
+    const auto moved = [](std::int16_t from, float by) {
+        constexpr float Most = std::numeric_limits<std::int16_t>::max();
+        return std::int16_t(std::lround(std::clamp(float(from) + by, -Most, Most)));
+    };
+    return {moved(slide.x, steps * x / across), moved(slide.z, steps * z / across)};
 }
 
 GroundVertexMaker::GroundVertexMaker(const Terrain &terrain, const GroundFrame &frame)

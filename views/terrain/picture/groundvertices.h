@@ -30,7 +30,17 @@ struct GroundPaint
 
     friend bool operator==(const GroundPaint &, const GroundPaint &) = default;
 };
-static_assert(sizeof(GroundPlace) == 8 && sizeof(GroundHeight) == 8 && sizeof(GroundPaint) == 4);
+/// How far the sand there has slid since the terrain is shown, in steps of 1 / SlideSteps of what its detail travels
+/// with it: x and z.
+struct GroundSlide
+{
+    std::int16_t x = 0, z = 0;
+
+    friend bool operator==(const GroundSlide &, const GroundSlide &) = default;
+};
+inline constexpr int SlideSteps = 256;
+static_assert(sizeof(GroundSlide) == 4 && sizeof(GroundPlace) == 8 && sizeof(GroundHeight) == 8 &&
+              sizeof(GroundPaint) == 4);
 
 /// What a material looks like dry; told by its name if that is a preset's, else by what its parameters come nearest to.
 QColor colorOf(const model::terrain::Material &material);
@@ -41,6 +51,11 @@ QColor bedrockColor(bool hasLayers);
 /// Triangles count by 1 / (square of the two edges): long flat neighbours of a steep wall do not wash it out.
 /// Source: N. Max, Weights for Computing Vertex Normals from Facet Normals, 1999.
 model::terrain::Point3 normalAt(const model::terrain::TinArrays &tin, model::terrain::VertexId v);
+
+/// What a vertex' slide becomes when its height goes from `before` to that of `now`: the lines of equal height move by
+/// the change over the slope, and sand goes down across them. Where it is too flat to slide, it does not.
+/// \param reach  metres that the detail travels
+GroundSlide slid(GroundSlide slide, float before, const GroundHeight &now, float reach);
 
 /// Makes vertices for the GPU out of a terrain.
 class GroundVertexMaker

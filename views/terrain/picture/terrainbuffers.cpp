@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace views {
 
@@ -25,6 +26,8 @@ constexpr std::uint32_t MovedPortion = 16384;
 constexpr double Headroom = 0.25;
 /// Edits that wrote more than this share of everything are sent like a new terrain, in portions.
 constexpr double LargeShare = 0.25;
+/// Of the terrain's longer side: some grains and streaks long, see GroundShading.
+constexpr float ReachShare = 0.012f;
 
 } // namespace
 
@@ -32,6 +35,7 @@ TerrainBuffers::TerrainBuffers(QOpenGLFunctions_3_3_Core &gl, const Terrain &ter
     : mGl(gl)
     , mTerrain(terrain)
     , mMaker(terrain, frame)
+    , mReach(slideReach(frame))
 {
     mGl.glGenBuffers(BufferCount, mBuffers);
     mGl.glGenVertexArrays(ArrayCount, mArrays);
@@ -43,6 +47,11 @@ TerrainBuffers::~TerrainBuffers()
     mGl.glDeleteBuffers(BufferCount, mBuffers);
 }
 
+float TerrainBuffers::slideReach(const GroundFrame &frame)
+{
+    return ReachShare * 2 * std::max(frame.halfX(), frame.halfY());
+}
+
 void TerrainBuffers::note(const Edit &edit)
 {
     const auto add = [&edit](TinPart part, DirtySlots &dirty) {
@@ -52,6 +61,11 @@ void TerrainBuffers::note(const Edit &edit)
     };
     add(TinPart::Points, mPlaced);
     add(TinPart::Heights, mRaised);
+    if (edit.isValuesOnly()) {
+        mIsSliding.resize(vertexSlots());
+        for (const SlotRange &range : edit.dirtyRanges(TinPart::Heights))
+            std::fill_n(mIsSliding.begin() + std::ptrdiff_t(range.first), range.count, true);
+    }
     add(TinPart::Layers, mPainted);
     add(TinPart::Triangles, mTriangles);
 }
@@ -61,7 +75,7 @@ void TerrainBuffers::noteAll()
     mMaker.updateColors();
     mIsWhole = true;
     mNextVertex = 0;
-    for (DirtySlots *dirty : {&mPlaced, &mRaised, &mTurned, &mPainted})
+    for (DirtySlots *dirty : {&mPlaced, &mRaised, &mTurned, &mPainted, &mSlid})
         dirty->clear();
 }
 
@@ -96,12 +110,16 @@ void TerrainBuffers::makeRoom()
 {
     bool hasGrown = grow(Places, vertexSlots(), sizeof(GroundPlace));
     hasGrown |= grow(Heights, vertexSlots(), sizeof(GroundHeight));
+    hasGrown |= grow(Slides, vertexSlots(), sizeof(GroundSlide));
     hasGrown |= grow(Paints, vertexSlots(), sizeof(GroundPaint));
     hasGrown |= mScalar && grow(Scalars, vertexSlots(), sizeof(float));
     hasGrown |= grow(Triangles, triangleSlots(), 3 * sizeof(std::uint32_t));
     if (hasGrown)
         describeArrays();
     mPaint.resize(vertexSlots());
+    mSentHeights.resize(vertexSlots());
+    mSlides.resize(vertexSlots());
+    mIsSliding.resize(vertexSlots());
     mBoxes.resize((triangleSlots() + ChunkSize - 1) / ChunkSize);
 }
 
@@ -120,6 +138,7 @@ void TerrainBuffers::describeArrays()
         {Heights, 2, GL_SHORT, GL_TRUE, sizeof(GroundHeight), offsetof(GroundHeight, normalX)},
         {Paints, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(GroundPaint), 0},
         {Scalars, 1, GL_FLOAT, GL_FALSE, sizeof(float), 0},
+        {Slides, 2, GL_SHORT, GL_FALSE, sizeof(GroundSlide), 0},
     };
     for (const auto &[array, indices] : {std::pair(TriangleArray, Triangles), std::pair(ExtraLineArray, ExtraLines),
                                          std::pair(ExtraTriangleArray, ExtraTriangles)}) {
@@ -172,7 +191,12 @@ void TerrainBuffers::sendAll(SlotRange range)
             [this, make](VertexId v) { return tin().isVertex(v) ? (mMaker.*make)(v) : decltype((mMaker.*make)(v)){}; };
     };
     send<GroundPlace>(Places, range, orNothing(&GroundVertexMaker::place));
-    send<GroundHeight>(Heights, range, orNothing(&GroundVertexMaker::height));
+    send<GroundHeight>(Heights, range, [&](VertexId v) {
+        const GroundHeight height = tin().isVertex(v) ? mMaker.height(v) : GroundHeight{};
+        mSentHeights[v] = height.y;
+        return height;
+    });
+    send<GroundSlide>(Slides, range, [&](VertexId v) { return mSlides[v]; });
     send<GroundPaint>(Paints, range,
                       [&](VertexId v) { return mPaint[v] = tin().isVertex(v) ? mMaker.paint(v) : GroundPaint{}; });
     if (mScalar)
@@ -239,8 +263,50 @@ void TerrainBuffers::sendHeights(std::uint32_t vertices)
             if (!tin().isVertex(v))
                 return GroundHeight{};
             mChangedBox.add(mMaker.position(v));
-            return mMaker.height(v);
+            const GroundHeight height = mMaker.height(v);
+            addSlide(v, height);
+            return height;
         });
+    for (const SlotRange &range : mSlid.take(vertices, PaintGap))
+        send<GroundSlide>(Slides, range, [&](VertexId v) { return mSlides[v]; });
+}
+
+void TerrainBuffers::addSlide(VertexId v, const GroundHeight &height)
+{
+    const float before = std::exchange(mSentHeights[v], height.y);
+    if (!mIsSliding[v] || before == height.y)
+        return;
+    mIsSliding[v] = false;
+    const GroundSlide slide = slid(mSlides[v], before, height, mReach);
+    if (slide == mSlides[v])
+        return;
+    mSlides[v] = slide;
+    mSlid.add(v);
+}
+
+/// New vertices have slid as far as those around them, or detail would be torn between them.
+void TerrainBuffers::startSlides()
+{
+    std::vector<std::pair<VertexId, GroundSlide>> before;
+    mPlaced.forEach([&](VertexId v) {
+        if (!tin().isVertex(v))
+            return;
+        before.emplace_back(v, std::exchange(mSlides[v], {}));
+        mIsSliding[v] = false;
+    });
+    for (const auto &[v, slide] : before) {
+        int x = 0, z = 0, count = 0;
+        forEachCornerAround(tin(), v, [&](Corner c) {
+            const GroundSlide &other = mSlides[tin().vertex(next(c))];
+            x += other.x;
+            z += other.z;
+            ++count;
+        });
+        if (count > 0)
+            mSlides[v] = {std::int16_t(x / count), std::int16_t(z / count)};
+        if (!(mSlides[v] == slide))
+            mSlid.add(v);
+    }
 }
 
 void TerrainBuffers::noteRing(VertexId v)
@@ -256,6 +322,7 @@ void TerrainBuffers::sendNew(std::uint32_t vertices, std::uint32_t triangles)
 {
     // Other normals, which go with those of what moved: around what has another place, and at triangles that are new.
     // Vertices that have gone need no sending.
+    startSlides();
     mPlaced.forEach([&](VertexId v) {
         if (!tin().isVertex(v))
             return;

@@ -40,6 +40,8 @@ public:
     /// then hasMoved() remains. Of a whole terrain no more than that either: then hasMore() remains, and triangles are
     /// there once all their vertices are. \returns whether anything was sent
     bool upload(double milliseconds);
+    /// How far detail travels before other detail takes its place, metres.
+    static float slideReach(const GroundFrame &frame);
     bool hasMore() const { return mIsWhole; }
     bool hasMoved() const { return mRaised.count() > 0; }
     const UploadCount &uploadCount() const { return mCount; }
@@ -58,7 +60,7 @@ public:
         std::uint32_t count = 0;
     };
     /// Draws the triangles of those chunks from `first` on whose box `isVisible`, but of no more than `most`.
-    /// Attributes: 0 place (x, z), 1 height, 2 normal x and z, 3 colour and humidity, 4 the number.
+    /// Attributes: 0 place (x, z), 1 height, 2 normal x and z, 3 colour and humidity, 4 the number, 5 the slide.
     DrawnChunks draw(const std::function<bool(const model::Box3f &)> &isVisible, std::uint32_t first = 0,
                      std::uint32_t most = std::numeric_limits<std::uint32_t>::max());
     /// Lines or triangles drawn besides, by the numbers of their vertices.
@@ -73,7 +75,7 @@ public:
     float highestScalar() const { return mHighestScalar; }
 
 private:
-    enum Buffer { Places, Heights, Paints, Scalars, Triangles, ExtraLines, ExtraTriangles, BufferCount };
+    enum Buffer { Places, Heights, Paints, Scalars, Slides, Triangles, ExtraLines, ExtraTriangles, BufferCount };
     enum VertexArray { TriangleArray, ExtraLineArray, ExtraTriangleArray, ArrayCount };
 
     const model::terrain::TinArrays &tin() const { return mTerrain.tin.arrays(); }
@@ -92,6 +94,8 @@ private:
     void sendNew(std::uint32_t vertices, std::uint32_t triangles);
     void sendMoved(std::uint32_t vertices, std::uint32_t most);
     void sendHeights(std::uint32_t vertices);
+    void startSlides();
+    void addSlide(model::terrain::VertexId v, const GroundHeight &height);
     void noteRing(model::terrain::VertexId v);
     void addToBoxes(model::terrain::VertexId v);
     void noteHeights(const model::Box3f &chunk);
@@ -99,6 +103,7 @@ private:
     QOpenGLFunctions_3_3_Core &mGl;
     const model::terrain::Terrain &mTerrain;
     GroundVertexMaker mMaker;
+    const float mReach; ///< metres that detail travels with the sand
     std::function<float(model::terrain::VertexId)> mScalar;
     GLuint mBuffers[BufferCount] = {};
     GLuint mArrays[ArrayCount] = {};
@@ -116,6 +121,10 @@ private:
     model::Box3f mBox, mChangedBox;
     float mChangedLow = 0, mChangedHigh = 0; ///< of the chunks that the last upload() touched
     std::vector<GroundPaint> mPaint;         ///< of each slot, as it was sent: it seldom changes
+    std::vector<float> mSentHeights;         ///< of each slot
+    std::vector<GroundSlide> mSlides;        ///< of each slot, as it was sent
+    std::vector<bool> mIsSliding;            ///< slots whose height was changed by sand that slides
+    DirtySlots mSlid;                        ///< vertices with another slide
     std::vector<std::uint8_t> mStaging;
     float mLowestScalar = 0, mHighestScalar = 0;
     UploadCount mCount;
