@@ -24,10 +24,10 @@ public:
     template <class Coder>
     std::uint32_t code(Coder &coder, std::uint32_t count, std::uint32_t wanted)
     {
-        mWasCopy = coder.bit(mIsCopy[mWasCopy], wanted != count);
+        mWasCopy = codeCounted(coder, mIsCopy[mWasCopy], wanted != count);
         if (!mWasCopy)
             return count;
-        const std::int64_t step = codeInteger(coder, mSteps, 0, 0, std::int64_t(wanted) - std::int64_t(mLast));
+        const std::int64_t step = mSteps.codeSigned(coder, std::int64_t(wanted) - std::int64_t(mLast));
         const std::uint64_t vertex = std::uint64_t(mLast) + std::uint64_t(step);
         if (vertex >= count)
             return count + 1;
@@ -36,8 +36,8 @@ public:
     }
 
 private:
-    std::array<AdaptiveBit, 2> mIsCopy;
-    IntegerModels<6> mSteps;
+    std::array<CountedBit, 2> mIsCopy;
+    CountedInteger mSteps;
     std::uint32_t mLast = 0;
     bool mWasCopy = false;
 };
@@ -103,7 +103,6 @@ Result<EncodedConnectivity> encodeConnectivityWatched(const Connectivity &connec
     EdgeBreaker walk(coder, source, std::uint32_t(connectivity.triangles.size()), connectivity.vertexCount,
                      ~std::uint64_t(0));
     WeldModel model;
-    AdaptiveBit hasCopies;
     const QueuedCoder::Hold hold(coder);
     if (!walk.run(progress.part(0.3, 0.9)))
         return fail(ErrorCode::Cancelled);
@@ -113,7 +112,7 @@ Result<EncodedConnectivity> encodeConnectivityWatched(const Connectivity &connec
     const std::vector<std::uint32_t> order = source.takeOrder();
     std::vector<std::uint32_t> names(connectivity.vertexCount, NoVertex);
     std::vector<std::uint32_t> welded;
-    coder.bit(hasCopies, !cut.copied.empty());
+    coder.direct(1, !cut.copied.empty());
     encoded.permutation.reserve(connectivity.vertexCount);
     for (const std::uint32_t vertex : order) {
         const std::uint32_t count = std::uint32_t(encoded.permutation.size());
@@ -164,9 +163,8 @@ Result<CodedConnectivity> decodeConnectivity(const Chunk &chunk, std::uint32_t v
 
     std::vector<std::uint32_t> welded;
     WeldModel model;
-    AdaptiveBit hasCopies;
     std::uint32_t usedCount = std::uint32_t(walk.mNeighbours.size());
-    if (coder.bit(hasCopies)) {
+    if (coder.direct(1, 0) != 0) {
         usedCount = 0;
         welded.reserve(walk.mNeighbours.size());
         for (std::size_t i = 0; i < walk.mNeighbours.size(); ++i) {

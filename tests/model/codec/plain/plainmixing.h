@@ -20,6 +20,7 @@ struct WeightSet
         : w(inputs, std::int32_t(91750 / inputs))
     {}
     std::vector<std::int32_t> w;
+    std::int64_t asked = 0;
 };
 
 inline std::int64_t squash(std::int64_t x)
@@ -40,7 +41,15 @@ inline std::int64_t stretch(std::int64_t p)
     return x;
 }
 
-inline unsigned mixed(Range &coder, const std::vector<CountedModel *> &models, WeightSet &set, std::int64_t limit = 255)
+inline void learn(CountedModel &m, unsigned bit, std::int64_t limit = 255)
+{
+    m.p += (65535 * std::int64_t(bit) - m.p) * (65536 / (2 * m.n + 3)) >> 15;
+    m.n = std::min(m.n + 1, limit);
+}
+
+/// \param haste  960 for weights that learn as those of 12.4
+inline unsigned mixed(Range &coder, const std::vector<CountedModel *> &models, WeightSet &set, std::int64_t limit = 255,
+                      std::int64_t haste = 0)
 {
     std::vector<std::int64_t> x;
     std::int64_t sum = 0;
@@ -51,13 +60,45 @@ inline unsigned mixed(Range &coder, const std::vector<CountedModel *> &models, W
     const std::int64_t q = squash(std::min<std::int64_t>(std::max<std::int64_t>(sum >> 16, -2047), 2047));
     const unsigned bit = coder.decision(std::uint32_t(q));
     const std::int64_t e = 65536 * std::int64_t(bit) - q;
+    const std::int64_t rate = 12 + haste / (16 + std::min<std::int64_t>(set.asked++, 1023));
     for (std::size_t i = 0; i < models.size(); ++i)
-        set.w[i] = std::int32_t(std::uint32_t(set.w[i]) + std::uint32_t(x[i] * e * 12 >> 18));
-    for (CountedModel *m : models) {
-        m->p += (65535 * std::int64_t(bit) - m->p) * (65536 / (2 * m->n + 3)) >> 15;
-        m->n = std::min(m->n + 1, limit);
-    }
+        set.w[i] = std::int32_t(std::uint32_t(set.w[i]) + std::uint32_t(x[i] * e * rate >> 18));
+    for (CountedModel *m : models)
+        learn(*m, bit, limit);
     return bit;
 }
+
+// 4.6
+inline unsigned counted(Range &coder, CountedModel &m)
+{
+    const unsigned bit = coder.decision(std::uint32_t(std::min<std::int64_t>(std::max<std::int64_t>(m.p, 24), 65512)));
+    learn(m, bit);
+    return bit;
+}
+
+struct CountedIntegers
+{
+    CountedModel sizes[34], sign, leading[35][8];
+
+    std::int64_t decode(Range &coder, bool hasSign)
+    {
+        unsigned n = 0;
+        while (n < 34 && counted(coder, sizes[n]))
+            ++n;
+        if (n == 0)
+            return 0;
+        const bool negative = hasSign && counted(coder, sign);
+        std::int64_t m = 1;
+        unsigned left = n - 1;
+        for (int i = 0; i < 3 && left > 0; ++i, --left)
+            m = 2 * m + counted(coder, leading[n][m]);
+        while (left > 0) {
+            const unsigned now = std::min(left, 12u);
+            m = (m << now) + coder.direct(now);
+            left -= now;
+        }
+        return negative ? -m : m;
+    }
+};
 
 } // namespace tests::plain
