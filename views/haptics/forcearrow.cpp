@@ -24,6 +24,8 @@ constexpr double LeastForce = 0.02;
 constexpr double ToolPixels = 5, HeadPixels = 11;
 /// Pixels: what moves by less is not drawn again.
 constexpr double LeastPixels = 0.5;
+/// Between two drawings: the picture of the window is put together anew for each.
+constexpr int ShowMilliseconds = 30;
 constexpr QColor ForceColor(0xff, 0x6a, 0x2b), ToolColor(0xff, 0xff, 0xff), EdgeColor(0, 0, 0, 170);
 
 bool isFar(QPointF a, QPointF b)
@@ -108,9 +110,13 @@ std::optional<ForceArrow::Shape> ForceArrow::shape() const
 
 void ForceArrow::follow()
 {
+    const bool isShowing = mShown && mIsActive && mSession.service().isOpen();
+    if (isShowing && mSinceShown.isValid() && mSinceShown.elapsed() < ShowMilliseconds)
+        return; // the next step comes soon
     std::optional<Shape> next = shape();
     if (next && mShown && isSame(*next, *mShown))
         return;
+    mSinceShown.restart();
     if (next || mShown)
         update();
     mShown = std::move(next);

@@ -3,6 +3,7 @@
 
 #include "model/terrain/tin/ids.h"
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include <optional>
@@ -45,6 +46,7 @@ private:
     HapticsSession &mSession;
     TerrainViewport &mViewport;
     bool mIsActive = false;
+    QElapsedTimer mSinceShown;
     std::optional<Shape> mShown;
 };
 
