@@ -392,10 +392,6 @@
         <translation>Vytvoří terén z výškového modelu, z bodů nebo ze sítě</translation>
     </message>
     <message>
-        <source>Open an animation or a terrain</source>
-        <translation>Otevře animaci nebo terén</translation>
-    </message>
-    <message>
         <source>&amp;Terrain…</source>
         <translation>&amp;Terén…</translation>
     </message>
@@ -723,6 +719,118 @@
         <source>Forces off, at once; Escape does the same anywhere</source>
         <translation>Okamžitě vypne síly; Escape udělá totéž kdekoli</translation>
     </message>
+    <message>
+        <source>Open an animation, a terrain or a mesh</source>
+        <translation>Otevře animaci, terén nebo síť</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect Frame</source>
+        <translation>&amp;Prozkoumat snímek</translation>
+    </message>
+    <message>
+        <source>Open the frame shown as a mesh, to see what it is made of</source>
+        <translation>Otevře zobrazený snímek jako síť, aby bylo vidět, z čeho se skládá</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation>&amp;Síť</translation>
+    </message>
+    <message>
+        <source>&amp;Fill Holes</source>
+        <translation>&amp;Zaplnit díry</translation>
+    </message>
+    <message>
+        <source>Close the holes that are selected in the inspector by smooth lids</source>
+        <translation>Uzavře díry vybrané v inspektoru hladkými víky</translation>
+    </message>
+    <message>
+        <source>&amp;Cut Handle</source>
+        <translation>&amp;Rozříznout ucho</translation>
+    </message>
+    <message>
+        <source>Cut the selected handle open along its short loop and close both ends</source>
+        <translation>Rozřízne vybrané ucho podél krátké smyčky a oba konce uzavře</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Components</source>
+        <translation>&amp;Odstranit komponenty</translation>
+    </message>
+    <message>
+        <source>Delete the components that are selected in the inspector</source>
+        <translation>Odstraní komponenty vybrané v inspektoru</translation>
+    </message>
+    <message>
+        <source>&amp;Weld Vertices</source>
+        <translation>&amp;Svařit vrcholy</translation>
+    </message>
+    <message>
+        <source>Make one of the vertices that are exactly at one place</source>
+        <translation>Z vrcholů, které jsou přesně na jednom místě, udělá jeden</translation>
+    </message>
+    <message>
+        <source>&amp;Orient Faces</source>
+        <translation>Sjednotit o&amp;rientaci stěn</translation>
+    </message>
+    <message>
+        <source>Turn faces until neighbours are wound alike and solids are not inside out</source>
+        <translation>Obrací stěny, až jsou sousední orientovány stejně a tělesa nejsou naruby</translation>
+    </message>
+    <message>
+        <source>Remove De&amp;generate Faces</source>
+        <translation>Odstranit de&amp;generované stěny</translation>
+    </message>
+    <message>
+        <source>Remove faces that have fewer than three different corners</source>
+        <translation>Odstraní stěny, které mají méně než tři různé rohy</translation>
+    </message>
+    <message>
+        <source>Remove D&amp;uplicate Faces</source>
+        <translation>Odstranit opakované s&amp;těny</translation>
+    </message>
+    <message>
+        <source>Of faces with the same corners keep the first</source>
+        <translation>Ze stěn se stejnými rohy ponechá první</translation>
+    </message>
+    <message>
+        <source>Remove &amp;Isolated Vertices</source>
+        <translation>Odstranit &amp;izolované vrcholy</translation>
+    </message>
+    <message>
+        <source>Remove vertices that no face uses</source>
+        <translation>Odstraní vrcholy, které nejsou v žádné stěně</translation>
+    </message>
+    <message>
+        <source>&amp;Split Non-Manifold Parts</source>
+        <translation>Rozdělit &amp;nevariety</translation>
+    </message>
+    <message>
+        <source>Give each sheet and each fan of faces edges and vertices of its own</source>
+        <translation>Každému listu a každému vějíři stěn dá vlastní hrany a vrcholy</translation>
+    </message>
+    <message>
+        <source>&amp;Halve the Triangles</source>
+        <translation>Zmenšit počet trojúhelníků na &amp;polovinu</translation>
+    </message>
+    <message>
+        <source>Draw edges together until half the triangles are left, where it shows least</source>
+        <translation>Stahuje hrany, kde je to nejméně vidět, dokud nezbude polovina trojúhelníků</translation>
+    </message>
+    <message>
+        <source>Su&amp;bdivide</source>
+        <translation>&amp;Dělit trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Put four smooth triangles in place of each</source>
+        <translation>Každý trojúhelník nahradí čtyřmi hladkými</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth</source>
+        <translation>V&amp;yhladit</translation>
+    </message>
+    <message>
+        <source>Smooth the surface without shrinking it</source>
+        <translation>Vyhladí povrch, aniž by ho smrštil</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -784,6 +892,10 @@
     <message>
         <source>%1 (process %2 on %3)</source>
         <translation>%1 (proces %2 na %3)</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Sítě</translation>
     </message>
 </context>
 <context>
@@ -2047,6 +2159,54 @@
         <source>Paint Mask</source>
         <translation>Malovat masku</translation>
     </message>
+    <message>
+        <source>Fill Holes</source>
+        <translation>Zaplnit díry</translation>
+    </message>
+    <message>
+        <source>Cut Handle</source>
+        <translation>Rozříznout ucho</translation>
+    </message>
+    <message>
+        <source>Delete Components</source>
+        <translation>Odstranit komponenty</translation>
+    </message>
+    <message>
+        <source>Weld Vertices</source>
+        <translation>Svařit vrcholy</translation>
+    </message>
+    <message>
+        <source>Orient Faces</source>
+        <translation>Sjednotit orientaci stěn</translation>
+    </message>
+    <message>
+        <source>Remove Degenerate Faces</source>
+        <translation>Odstranit degenerované stěny</translation>
+    </message>
+    <message>
+        <source>Remove Duplicate Faces</source>
+        <translation>Odstranit opakované stěny</translation>
+    </message>
+    <message>
+        <source>Remove Isolated Vertices</source>
+        <translation>Odstranit izolované vrcholy</translation>
+    </message>
+    <message>
+        <source>Split Non-Manifold Parts</source>
+        <translation>Rozdělit nevariety</translation>
+    </message>
+    <message>
+        <source>Halve the Triangles</source>
+        <translation>Zmenšit počet trojúhelníků na polovinu</translation>
+    </message>
+    <message>
+        <source>Subdivide</source>
+        <translation>Dělit trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Vyhladit</translation>
+    </message>
 </context>
 <context>
     <name>editor::CompareActions</name>
@@ -2181,6 +2341,10 @@
         <source>What happens to %1 is not being recorded: it would not come back after a crash.</source>
         <translation>Změny dokumentu %1 se nezaznamenávají: po pádu programu by se nevrátily.</translation>
     </message>
+    <message>
+        <source>Everything that can be opened (%1)</source>
+        <translation>Vše, co lze otevřít (%1)</translation>
+    </message>
 </context>
 <context>
     <name>editor::HelpActions</name>
@@ -2258,6 +2422,33 @@
     </message>
 </context>
 <context>
+    <name>editor::Inspector</name>
+    <message>
+        <source>Mesh View %1</source>
+        <translation>Pohled na síť %1</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, snímek %2</translation>
+    </message>
+    <message>
+        <source>The list that is open, as CSV (*.csv)</source>
+        <translation>Otevřený seznam jako CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save Report</source>
+        <translation>Uložit zprávu</translation>
+    </message>
+    <message>
+        <source>The report is in %1.</source>
+        <translation>Zpráva je v souboru %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved.</source>
+        <translation>Soubor %1 nebyl uložen.</translation>
+    </message>
+</context>
+<context>
     <name>editor::MainWindow</name>
     <message>
         <source>File Toolbar</source>
@@ -2270,6 +2461,36 @@
     <message>
         <source>View Toolbar</source>
         <translation>Panel zobrazení</translation>
+    </message>
+</context>
+<context>
+    <name>editor::MeshActions</name>
+    <message>
+        <source>%1 was left as it is.</source>
+        <translation>%1: beze změny.</translation>
+    </message>
+    <message>
+        <source>It is no oriented manifold: orient its faces and split its non-manifold parts first.</source>
+        <translation>Není to orientovaná varieta: nejprve sjednoťte orientaci stěn a rozdělte nevariety.</translation>
+    </message>
+    <message>
+        <source>The loop does not run along edges of two faces.</source>
+        <translation>Smyčka nevede po hranách dvou stěn.</translation>
+    </message>
+    <message>
+        <source>The loop touches holes on both sides: fill them first.</source>
+        <translation>Smyčka se na obou stranách dotýká děr: nejprve je zaplňte.</translation>
+    </message>
+    <message>
+        <source>%1: there is nothing to do.</source>
+        <translation>%1: není co dělat.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::MeshTab</name>
+    <message>
+        <source>This machine has no OpenGL 3.3, so the mesh cannot be drawn. The inspector lists what it is made of all the same.</source>
+        <translation>Tento počítač nemá OpenGL 3.3, takže síť nelze nakreslit. Inspektor přesto vypíše, z čeho se skládá.</translation>
     </message>
 </context>
 <context>
@@ -2293,6 +2514,25 @@
     <message>
         <source>Recorded, not saved to a file yet</source>
         <translation>Nahráno, zatím neuloženo do souboru</translation>
+    </message>
+</context>
+<context>
+    <name>editor::OpenMesh</name>
+    <message>
+        <source>Made of an animation, not saved to a file yet</source>
+        <translation>Vytvořeno z animace, zatím neuloženo do souboru</translation>
+    </message>
+    <message>
+        <source>%L1 vertices, %L2 faces</source>
+        <translation>vrcholů: %L1, stěn: %L2</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is one of %n numbered meshes in its folder. To open them as an animation, drop the folder here, or choose it in File &gt; Prepare Animation.</source>
+        <translation>
+            <numerusform>Je to jedna z %n očíslované sítě ve složce. Chcete-li je otevřít jako animaci, přetáhněte sem složku, nebo ji vyberte v nabídce Soubor &gt; Připravit animaci.</numerusform>
+            <numerusform>Je to jedna ze %n očíslovaných sítí ve složce. Chcete-li je otevřít jako animaci, přetáhněte sem složku, nebo ji vyberte v nabídce Soubor &gt; Připravit animaci.</numerusform>
+            <numerusform>Je to jedna z %n očíslovaných sítí ve složce. Chcete-li je otevřít jako animaci, přetáhněte sem složku, nebo ji vyberte v nabídce Soubor &gt; Připravit animaci.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2538,6 +2778,19 @@
     <message>
         <source>humidity %1</source>
         <translation>vlhkost %1</translation>
+    </message>
+    <message>
+        <source>F %1</source>
+        <comment>number of faces</comment>
+        <translation>S %1</translation>
+    </message>
+    <message>
+        <source>Vertices, faces, size of the file</source>
+        <translation>Vrcholy, stěny, velikost souboru</translation>
+    </message>
+    <message>
+        <source>Click: pick   Drag: orbit   Shift+drag: pan   Wheel: zoom</source>
+        <translation>Kliknutí: výběr   Tažení: otáčení   Shift+tažení: posun   Kolečko: přiblížení</translation>
     </message>
 </context>
 <context>

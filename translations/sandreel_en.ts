@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>editor::OpenMesh</name>
+    <message numerus="yes">
+        <source>It is one of %n numbered meshes in its folder. To open them as an animation, drop the folder here, or choose it in File &gt; Prepare Animation.</source>
+        <translation>
+            <numerusform>It is one of %n numbered mesh in its folder. To open them as an animation, drop the folder here, or choose it in File &gt; Prepare Animation.</numerusform>
+            <numerusform>It is one of %n numbered meshes in its folder. To open them as an animation, drop the folder here, or choose it in File &gt; Prepare Animation.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>editor::RecordActions</name>
     <message numerus="yes">
         <source>Recording %1: %n frame(s)</source>

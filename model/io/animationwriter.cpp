@@ -98,6 +98,13 @@ Result<void> writeMesh(const QString &path, std::span<const Vec3f> positions, co
     return saveBytes(path, asBytes(text));
 }
 
+Result<void> writePolygonMesh(const QString &path, const PolygonMesh &mesh, MeshFormat format)
+{
+    std::string text;
+    formatMesh(mesh.positions, mesh.faces, format, text);
+    return saveBytes(path, asBytes(text));
+}
+
 Result<void> writeFrames(const QString &folder, const FrameSource &source, MeshFormat format, const Progress &progress)
 {
     struct Workspace

@@ -4,6 +4,7 @@
 #include "model/animation/framesource.h"
 #include "model/base/error.h"
 #include "model/base/progress.h"
+#include "model/mesh/faces.h"
 
 #include <QString>
 
@@ -17,6 +18,8 @@ enum class MeshFormat : std::uint8_t { Obj, Off, Ply };
 /// \error CannotOpen, CannotWrite
 Result<void> writeMesh(const QString &path, std::span<const Vec3f> positions, const Connectivity &connectivity,
                        MeshFormat format);
+/// The same with its faces as they are: they come back so from readPolygonMesh().
+Result<void> writePolygonMesh(const QString &path, const PolygonMesh &mesh, MeshFormat format);
 
 /// Writes every frame as FOLDER/frame_0001.obj and so on. Makes the folder if need be; on an error or a cancel removes
 /// what it wrote, and only that.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/meshtext.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace model::io {
@@ -27,6 +28,11 @@ public:
     void endLine()
     {
         put('\n');
+        makeRoom();
+    }
+    /// To be called in lines of any number of numbers.
+    void makeRoom()
+    {
         if (mEnd > mBuffer + sizeof mBuffer - MaxLine)
             flush();
     }
@@ -45,7 +51,27 @@ private:
     char *mEnd = mBuffer;
 };
 
-void formatObj(std::span<const Vec3f> positions, const Connectivity &connectivity, std::string &out)
+// Faces of either kind, alike for the formats.
+
+std::size_t faceCountOf(const Connectivity &connectivity)
+{
+    return connectivity.triangles.size();
+}
+std::span<const std::uint32_t> faceOf(const Connectivity &connectivity, std::size_t face)
+{
+    return connectivity.triangles[face];
+}
+std::size_t faceCountOf(const Faces &faces)
+{
+    return faces.faceCount();
+}
+std::span<const std::uint32_t> faceOf(const Faces &faces, std::size_t face)
+{
+    return faces.face(std::uint32_t(face));
+}
+
+template <class FaceList>
+void formatObj(std::span<const Vec3f> positions, const FaceList &faces, std::string &out)
 {
     TextWriter text(out);
     for (const Vec3f &p : positions) {
@@ -56,9 +82,10 @@ void formatObj(std::span<const Vec3f> positions, const Connectivity &connectivit
         }
         text.endLine();
     }
-    for (const Triangle &triangle : connectivity.triangles) {
+    for (std::size_t face = 0; face < faceCountOf(faces); ++face) {
         text.put('f');
-        for (const std::uint32_t index : triangle) {
+        for (const std::uint32_t index : faceOf(faces, face)) {
+            text.makeRoom();
             text.put(' ');
             text.number(std::uint64_t(index) + 1);
         }
@@ -66,9 +93,10 @@ void formatObj(std::span<const Vec3f> positions, const Connectivity &connectivit
     }
 }
 
-void formatOff(std::span<const Vec3f> positions, const Connectivity &connectivity, std::string &out)
+template <class FaceList>
+void formatOff(std::span<const Vec3f> positions, const FaceList &faces, std::string &out)
 {
-    out = "OFF\n" + std::to_string(positions.size()) + ' ' + std::to_string(connectivity.triangles.size()) + " 0\n";
+    out = "OFF\n" + std::to_string(positions.size()) + ' ' + std::to_string(faceCountOf(faces)) + " 0\n";
     TextWriter text(out);
     for (const Vec3f &p : positions) {
         text.number(p.x);
@@ -78,9 +106,11 @@ void formatOff(std::span<const Vec3f> positions, const Connectivity &connectivit
         text.number(p.z);
         text.endLine();
     }
-    for (const Triangle &triangle : connectivity.triangles) {
-        text.put('3');
-        for (const std::uint32_t index : triangle) {
+    for (std::size_t face = 0; face < faceCountOf(faces); ++face) {
+        const std::span<const std::uint32_t> corners = faceOf(faces, face);
+        text.number(corners.size());
+        for (const std::uint32_t index : corners) {
+            text.makeRoom();
             text.put(' ');
             text.number(index);
         }
@@ -95,38 +125,62 @@ char *putU32(char *p, std::uint32_t value)
     return p;
 }
 
-void formatPly(std::span<const Vec3f> positions, const Connectivity &connectivity, std::string &out)
+template <class FaceList>
+void formatPly(std::span<const Vec3f> positions, const FaceList &faces, std::string &out)
 {
-    constexpr std::size_t VertexBytes = 12, FaceBytes = 13;
+    constexpr std::size_t VertexBytes = 12, MostOfByte = 255;
+    std::size_t corners = 0, longest = 0;
+    for (std::size_t face = 0; face < faceCountOf(faces); ++face) {
+        corners += faceOf(faces, face).size();
+        longest = std::max(longest, faceOf(faces, face).size());
+    }
+    const bool isByte = longest <= MostOfByte;
     out = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(positions.size()) +
           "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-          std::to_string(connectivity.triangles.size()) + "\nproperty list uchar uint vertex_indices\nend_header\n";
+          std::to_string(faceCountOf(faces)) + "\nproperty list " + (isByte ? "uchar" : "uint") +
+          " uint vertex_indices\nend_header\n";
     const std::size_t header = out.size();
-    out.resize(header + positions.size() * VertexBytes + connectivity.triangles.size() * FaceBytes);
+    out.resize(header + positions.size() * VertexBytes + faceCountOf(faces) * (isByte ? 1 : 4) + corners * 4);
     char *p = out.data() + header;
     for (const Vec3f &position : positions)
         for (const float c : {position.x, position.y, position.z})
             p = putU32(p, std::bit_cast<std::uint32_t>(c));
-    for (const Triangle &triangle : connectivity.triangles) {
-        *p++ = 3;
-        for (const std::uint32_t index : triangle)
+    for (std::size_t face = 0; face < faceCountOf(faces); ++face) {
+        const std::span<const std::uint32_t> indices = faceOf(faces, face);
+        if (isByte)
+            *p++ = char(indices.size());
+        else
+            p = putU32(p, std::uint32_t(indices.size()));
+        for (const std::uint32_t index : indices)
             p = putU32(p, index);
+    }
+}
+
+template <class FaceList>
+void format(std::span<const Vec3f> positions, const FaceList &faces, MeshFormat meshFormat, std::string &out)
+{
+    out.clear();
+    switch (meshFormat) {
+    case MeshFormat::Obj:
+        return formatObj(positions, faces, out);
+    case MeshFormat::Off:
+        return formatOff(positions, faces, out);
+    case MeshFormat::Ply:
+        return formatPly(positions, faces, out);
     }
 }
 
 } // namespace
 
-void formatMesh(std::span<const Vec3f> positions, const Connectivity &connectivity, MeshFormat format, std::string &out)
+void formatMesh(std::span<const Vec3f> positions, const Connectivity &connectivity, MeshFormat meshFormat,
+                std::string &out)
 {
-    out.clear();
-    switch (format) {
-    case MeshFormat::Obj:
-        return formatObj(positions, connectivity, out);
-    case MeshFormat::Off:
-        return formatOff(positions, connectivity, out);
-    case MeshFormat::Ply:
-        return formatPly(positions, connectivity, out);
-    }
+    format(positions, connectivity, meshFormat, out);
+}
+
+void formatMesh(std::span<const Vec3f> positions, const Faces &faces, MeshFormat meshFormat, std::string &out)
+{
+    format(positions, faces, meshFormat, out);
 }
 
 const char *endingOf(MeshFormat format)

@@ -12,6 +12,8 @@ namespace model::io {
 /// same floats, PLY binary little-endian.
 void formatMesh(std::span<const Vec3f> positions, const Connectivity &connectivity, MeshFormat format,
                 std::string &out);
+/// The same of faces with any number of corners.
+void formatMesh(std::span<const Vec3f> positions, const Faces &faces, MeshFormat meshFormat, std::string &out);
 
 /// File name ending, without dot.
 const char *endingOf(MeshFormat format);

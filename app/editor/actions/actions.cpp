@@ -43,7 +43,7 @@ constexpr Spec Specs[] = {
      "import-terrain", "Ctrl+I",
      QT_TRANSLATE_NOOP("Actions", "Make a terrain of an elevation model, of points or of a mesh")},
     {ActionId::Open, "file.open", File, QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", "Ctrl+O",
-     QT_TRANSLATE_NOOP("Actions", "Open an animation or a terrain")},
+     QT_TRANSLATE_NOOP("Actions", "Open an animation, a terrain or a mesh")},
     {ActionId::Save, "file.save", File, QT_TRANSLATE_NOOP("Actions", "&Save"), "save", "Ctrl+S",
      QT_TRANSLATE_NOOP("Actions", "Save the document to its file")},
     {ActionId::SaveAs, "file.saveAs", File, QT_TRANSLATE_NOOP("Actions", "Save &As…"), "save-as", "Ctrl+Shift+S",
@@ -111,6 +111,9 @@ constexpr Spec Specs[] = {
     {ActionId::ErrorRange, "view.errorRange", View, QT_TRANSLATE_NOOP("Actions", "Colour &Range of This Frame"),
      "error-range", "", QT_TRANSLATE_NOOP("Actions", "Let the colours reach to the frame's largest error instead of "
                                                      "that of all frames"), true, Animation},
+    {ActionId::InspectFrame, "view.inspectFrame", View, QT_TRANSLATE_NOOP("Actions", "&Inspect Frame"), "inspector",
+     "Ctrl+Shift+I", QT_TRANSLATE_NOOP("Actions", "Open the frame shown as a mesh, to see what it is made of"), false,
+     Animation},
     {ActionId::Fit, "view.fit", View, QT_TRANSLATE_NOOP("Actions", "&Fit to Window"), "fit", "F",
      QT_TRANSLATE_NOOP("Actions", "Move the camera so that everything is seen")},
     {ActionId::NextTab, "view.nextTab", View, QT_TRANSLATE_NOOP("Actions", "&Next Document"), "", "Ctrl+Tab; Ctrl+PgDown",

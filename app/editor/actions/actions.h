@@ -48,6 +48,7 @@ enum class ActionId {
     StopComparing,
     ErrorColors,
     ErrorRange,
+    InspectFrame,
     Fit,
     NextTab,
     PreviousTab,

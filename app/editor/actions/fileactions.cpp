@@ -2,6 +2,8 @@
 #include "app/editor/actions/fileactions.h"
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/framefiles.h"
+#include "app/editor/documents/meshtab.h"
 #include "app/editor/documents/terraintab.h"
 #include "app/editor/recovery/recoverydialog.h"
 #include "app/editor/window/workspace.h"
@@ -16,14 +18,50 @@
 #include "views/viewport/glsupport.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QtEndian>
 
 #include <algorithm>
 
 namespace editor {
+
+namespace {
+
+/// A glTF scene with animations: to be prepared. Without, it is a mesh.
+bool isAnimatedScene(const QString &path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    QFile file(path);
+    if ((ending != QLatin1String("gltf") && ending != QLatin1String("glb")) || !file.open(QIODevice::ReadOnly))
+        return false;
+    constexpr qint64 MostText = qint64(64) << 20;
+    qint64 length = std::min(file.size(), MostText);
+    if (ending == QLatin1String("glb")) {
+        constexpr qint64 HeaderBytes = 20; // then the first chunk, which is JSON; its length at byte 12
+        const QByteArray header = file.read(HeaderBytes);
+        if (header.size() < HeaderBytes)
+            return false;
+        length = std::min<qint64>(qFromLittleEndian<quint32>(header.constData() + 12), MostText);
+    }
+    return file.read(length).contains("\"animations\"");
+}
+
+/// Several meshes that are numbered alike: who opens them together wants the animation.
+bool areFrames(const QStringList &paths)
+{
+    if (paths.size() < 2 || kindOfFile(paths.constFirst()) != DocumentKind::Mesh)
+        return false;
+    const QString pattern = framePatternOf(paths.constFirst());
+    return !pattern.isEmpty() && std::all_of(paths.begin(), paths.end(), [&](const QString &path) {
+        return framePatternOf(path) == pattern && QFileInfo(path).isFile();
+    });
+}
+
+} // namespace
 
 FileActions::FileActions(Actions &actions, Workspace &workspace, Settings &settings, views::LogModel &log,
                          QWidget &window)
@@ -56,9 +94,13 @@ FileActions::FileActions(Actions &actions, Workspace &workspace, Settings &setti
 
 void FileActions::openPaths(const QStringList &paths)
 {
+    if (areFrames(paths)) {
+        prepare(QFileInfo(paths.constFirst()).absolutePath());
+        return;
+    }
     for (const QString &path : paths) {
         const QFileInfo file(path);
-        const std::optional<DocumentKind> kind = kindOfFile(path);
+        const std::optional<DocumentKind> kind = isAnimatedScene(path) ? std::nullopt : kindOfFile(path);
         if (!file.exists()) {
             tell(tr("%1 cannot be opened.").arg(file.fileName()),
                  model::Error{model::ErrorCode::NotFound, {}, path.toStdString()});
@@ -120,6 +162,13 @@ OpenTerrain &FileActions::addTerrain()
     return asTerrain(&tab)->document();
 }
 
+OpenMesh &FileActions::addMesh()
+{
+    DocumentTab &tab = addTab(DocumentKind::Mesh);
+    mWorkspace.add(&tab);
+    return asMesh(&tab)->document();
+}
+
 void FileActions::newTerrain()
 {
     auto *dialog = new views::NewTerrainDialog(&mWindow);
@@ -161,9 +210,13 @@ void FileActions::recover(const Leftover &leftover)
 
 void FileActions::showOpenDialog()
 {
-    QStringList filters;
-    for (const DocumentKind kind : EveryDocumentKind)
+    QStringList filters, endings;
+    for (const DocumentKind kind : EveryDocumentKind) {
         filters << filterOf(kind);
+        // "Animations (*.anim)"
+        endings << filterOf(kind).section(QLatin1Char('('), -1).chopped(1);
+    }
+    filters.prepend(tr("Everything that can be opened (%1)").arg(endings.join(QLatin1Char(' '))));
     filters << tr("All files (*)");
     openPaths(QFileDialog::getOpenFileNames(&mWindow, tr("Open"), mSettings.lastFolder(),
                                             filters.join(QStringLiteral(";;"))));
@@ -203,7 +256,7 @@ void FileActions::prepare(const QString &source)
 bool FileActions::save(DocumentTab &tab)
 {
     Document &document = tab.document();
-    if (document.path().isEmpty())
+    if (document.path().isEmpty() || !canSaveTo(document.kind(), document.path()))
         return saveAs(tab);
     if (!document.canSave() || !maySaveOver(document))
         return false;
@@ -217,12 +270,19 @@ bool FileActions::saveAs(DocumentTab &tab)
     if (!document.canSave())
         return false;
     const QString ending = endingOf(document.kind());
-    const QString proposal = document.path().isEmpty()
-                                 ? QDir(mSettings.lastFolder()).filePath(document.title() + QLatin1Char('.') + ending)
-                                 : document.path();
-    QFileDialog dialog(&mWindow, tr("Save As"), QFileInfo(proposal).absolutePath(), filterOf(document.kind()));
+    QString proposal = document.path();
+    if (proposal.isEmpty())
+        proposal = QDir(mSettings.lastFolder()).filePath(document.title() + QLatin1Char('.') + ending);
+    else if (!canSaveTo(document.kind(), proposal))
+        proposal =
+            QFileInfo(proposal).dir().filePath(QFileInfo(proposal).completeBaseName() + QLatin1Char('.') + ending);
+    QFileDialog dialog(&mWindow, tr("Save As"), QFileInfo(proposal).absolutePath(), saveFilterOf(document.kind()));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(ending);
+    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString &filter) {
+        // "OFF (*.off)"
+        dialog.setDefaultSuffix(filter.section(QStringLiteral("*."), 1, 1).chopped(1));
+    });
     dialog.selectFile(QFileInfo(proposal).fileName());
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
         return false;
@@ -412,6 +472,12 @@ void FileActions::tell(const QString &text, const model::Error &error)
     const QString message = text + QLatin1Char(' ') + model::io::errorText(error);
     mLog.add(views::LogLevel::Error, message);
     mWorkspace.messages().add(views::MessageBar::Kind::Error, message);
+}
+
+void FileActions::say(const QString &text)
+{
+    mLog.add(views::LogLevel::Info, text);
+    mWorkspace.messages().add(views::MessageBar::Kind::Note, text);
 }
 
 void FileActions::update()

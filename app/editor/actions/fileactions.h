@@ -23,6 +23,7 @@ class PrepareDialog;
 namespace editor {
 
 class Document;
+class OpenMesh;
 class OpenTerrain;
 class Workspace;
 struct Leftover;
@@ -47,6 +48,14 @@ public:
     /// May the window close? Asks about unsaved changes. False while something still has to be saved: quitReady()
     /// follows when it is.
     bool mayQuit();
+
+    /// A tab for a mesh that is to be made.
+    OpenMesh &addMesh();
+
+    /// Shows an error to the user, and keeps it in the log.
+    void tell(const QString &text, const model::Error &error);
+    /// Shows what the user should know.
+    void say(const QString &text);
 
     /// Enables what the present tab allows.
     void update();
@@ -81,7 +90,6 @@ private:
     void openingFailed(DocumentTab &tab, const model::Error &error);
     void saved(DocumentTab &tab);
     void savingFailed(DocumentTab &tab, const model::Error &error);
-    void tell(const QString &text, const model::Error &error);
 
     Actions &mActions;
     Workspace &mWorkspace;

@@ -36,6 +36,7 @@ Menus::Menus(QMainWindow &window, Actions &actions, Settings &settings, Language
     fillView();
     fillTerrain();
     mPlay = addMenu(nullptr, QT_TRANSLATE_NOOP("Actions", "&Play"));
+    mMesh = addMenu(nullptr, QT_TRANSLATE_NOOP("Actions", "&Mesh"));
     fillSettings();
     fillHelp();
     retranslate();
@@ -103,6 +104,7 @@ void Menus::fillView()
     mGround = addMenu(menu, QT_TRANSLATE_NOOP("Actions", "&Ground"));
     for (const ActionId id : {ActionId::Compare, ActionId::ErrorColors, ActionId::ErrorRange, ActionId::StopComparing})
         menu->addAction(&mActions[id]);
+    menu->addAction(&mActions[ActionId::InspectFrame]);
     menu->addSeparator();
     mDocks = addMenu(menu, QT_TRANSLATE_NOOP("Actions", "&Docks"));
     mToolBars = addMenu(menu, QT_TRANSLATE_NOOP("Actions", "&Toolbars"));

@@ -32,6 +32,8 @@ public:
     QMenu &terrainMenu() { return *mTerrain; }
     QMenu &toolMenu() { return *mTool; }
     QMenu &symmetryMenu() { return *mSymmetry; }
+    /// What is done to meshes.
+    QMenu &meshMenu() { return *mMesh; }
     /// Where docks and toolbars can be shown and hidden; call when all of them are there.
     void addPanelActions(const QList<QAction *> &docks, const QList<QAction *> &toolBars);
     void retranslate();
@@ -67,6 +69,7 @@ private:
     QMenu *mTerrain = nullptr;
     QMenu *mTool = nullptr;
     QMenu *mSymmetry = nullptr;
+    QMenu *mMesh = nullptr;
     QMenu *mRecent = nullptr;
     QMenu *mSamples = nullptr;
     QMenu *mDocks = nullptr;

@@ -2,8 +2,10 @@
 #include "app/editor/actions/viewactions.h"
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/meshtab.h"
 #include "app/editor/documents/terraintab.h"
 #include "app/editor/window/workspace.h"
+#include "views/inspect/meshview.h"
 #include "views/terrain/terrainviewport.h"
 #include "views/viewport/animationviewport.h"
 
@@ -48,6 +50,8 @@ ViewActions::ViewActions(Actions &actions, Workspace &workspace, Settings &setti
             view->fitView();
         else if (TerrainTab *tab = mWorkspace.currentTerrain(); tab && tab->viewport())
             tab->viewport()->fitView();
+        else if (MeshTab *mesh = mWorkspace.currentMesh(); mesh && mesh->view())
+            mesh->view()->fitView();
     });
     connect(&actions[ActionId::FullScreen], &QAction::toggled, this, &ViewActions::toggleFullScreen);
     connect(&actions[ActionId::NextTab], &QAction::triggered, this, [this] { mWorkspace.showNeighbour(1); });
@@ -84,7 +88,8 @@ void ViewActions::follow()
     for (const auto &[id, mode] : Modes)
         mActions[id].setEnabled(view != nullptr);
     const TerrainTab *terrain = mWorkspace.currentTerrain();
-    mActions[ActionId::Fit].setEnabled(view || (terrain && terrain->viewport()));
+    MeshTab *mesh = mWorkspace.currentMesh();
+    mActions[ActionId::Fit].setEnabled(view || (terrain && terrain->viewport()) || (mesh && mesh->view()));
     for (QSlider *slider : mSliders) {
         const QSignalBlocker blocker(slider);
         slider->setEnabled(view && mDrawMode == views::DrawMode::Points);

@@ -2,10 +2,12 @@
 #include "app/editor/documents/documentkind.h"
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/meshtab.h"
 #include "app/editor/documents/terraintab.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QStringList>
 
 namespace editor {
 
@@ -21,14 +23,17 @@ struct Traits
 {
     DocumentKind kind;
     const char *name;
-    const char *ending;
-    const char *files; ///< in the translation context "Documents"
+    const char *endings; ///< the first is that of new files
+    int writtenCount;    ///< so many of them, from the first, are saved too
+    const char *files;   ///< in the translation context "Documents"
     DocumentTab *(*makeTab)(bool canDraw);
 };
 
 constexpr Traits Kinds[] = {
-    {DocumentKind::Animation, "animation", "anim", QT_TRANSLATE_NOOP("Documents", "Animations"), make<AnimationTab>},
-    {DocumentKind::Terrain, "terrain", "terrain", QT_TRANSLATE_NOOP("Documents", "Terrains"), make<TerrainTab>},
+    {DocumentKind::Animation, "animation", "anim", 1, QT_TRANSLATE_NOOP("Documents", "Animations"), make<AnimationTab>},
+    {DocumentKind::Terrain, "terrain", "terrain", 1, QT_TRANSLATE_NOOP("Documents", "Terrains"), make<TerrainTab>},
+    {DocumentKind::Mesh, "mesh", "obj off ply stl glb gltf", 3, QT_TRANSLATE_NOOP("Documents", "Meshes"),
+     make<MeshTab>},
 };
 
 const Traits &traitsOf(DocumentKind kind)
@@ -36,6 +41,21 @@ const Traits &traitsOf(DocumentKind kind)
     const Traits &traits = Kinds[std::size_t(kind)];
     Q_ASSERT(traits.kind == kind);
     return traits;
+}
+
+QStringList endingsOf(DocumentKind kind)
+{
+    return QString::fromLatin1(traitsOf(kind).endings).split(QLatin1Char(' '));
+}
+
+QStringList writtenEndingsOf(DocumentKind kind)
+{
+    return endingsOf(kind).mid(0, traitsOf(kind).writtenCount);
+}
+
+QString filesOf(DocumentKind kind)
+{
+    return QCoreApplication::translate("Documents", traitsOf(kind).files);
 }
 
 template <class Tab>
@@ -53,20 +73,35 @@ const char *nameOf(DocumentKind kind)
 
 QString endingOf(DocumentKind kind)
 {
-    return QLatin1String(traitsOf(kind).ending);
+    return endingsOf(kind).constFirst();
 }
 
 QString filterOf(DocumentKind kind)
 {
-    return QStringLiteral("%1 (*.%2)")
-        .arg(QCoreApplication::translate("Documents", traitsOf(kind).files), endingOf(kind));
+    return QStringLiteral("%1 (*.%2)").arg(filesOf(kind), endingsOf(kind).join(QStringLiteral(" *.")));
+}
+
+QString saveFilterOf(DocumentKind kind)
+{
+    const QStringList endings = writtenEndingsOf(kind);
+    if (endings.size() == 1)
+        return filterOf(kind);
+    QStringList filters;
+    for (const QString &ending : endings)
+        filters << QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending);
+    return filters.join(QStringLiteral(";;"));
+}
+
+bool canSaveTo(DocumentKind kind, const QString &path)
+{
+    return writtenEndingsOf(kind).contains(QFileInfo(path).suffix(), Qt::CaseInsensitive);
 }
 
 std::optional<DocumentKind> kindOfFile(const QString &path)
 {
     const QString ending = QFileInfo(path).suffix();
     for (const DocumentKind kind : EveryDocumentKind)
-        if (ending.compare(endingOf(kind), Qt::CaseInsensitive) == 0)
+        if (endingsOf(kind).contains(ending, Qt::CaseInsensitive))
             return kind;
     return std::nullopt;
 }
@@ -84,6 +119,11 @@ AnimationTab *asAnimation(DocumentTab *tab)
 TerrainTab *asTerrain(DocumentTab *tab)
 {
     return cast<TerrainTab>(tab, DocumentKind::Terrain);
+}
+
+MeshTab *asMesh(DocumentTab *tab)
+{
+    return cast<MeshTab>(tab, DocumentKind::Mesh);
 }
 
 } // namespace editor

@@ -3,6 +3,7 @@
 
 #include "app/editor/documents/documentkind.h"
 #include "model/io/animfile.h"
+#include "model/io/polygonreader.h"
 #include "model/io/terrain/terrainfile.h"
 #include "views/dialogs/terrainpicture.h"
 
@@ -31,6 +32,20 @@ model::Result<QImage> terrainThumbnail(const QString &path, double ratio, const 
     return image;
 }
 
+QImage drawn(std::span<const model::Vec3f> positions, std::span<const model::Triangle> triangles, double ratio)
+{
+    const int width = int(Thumbnails::Width * ratio);
+    const int height = int(Thumbnails::Height * ratio);
+    model::OrbitCamera camera;
+    camera.fit(model::boundingBox(positions), float(width) / float(height));
+    const model::Picture picture = model::drawMesh(positions, triangles, camera, width, height);
+    QImage image =
+        QImage(picture.rgba.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBA8888)
+            .copy(); // the bytes belong to the picture
+    image.setDevicePixelRatio(ratio);
+    return image;
+}
+
 model::Result<QImage> animationThumbnail(const QString &path, double ratio, const model::Progress &progress)
 {
     const auto animation = model::io::openAnim(path, progress);
@@ -39,23 +54,30 @@ model::Result<QImage> animationThumbnail(const QString &path, double ratio, cons
     const std::vector<model::Vec3f> positions = (*animation)->frame(tellingFrame((*animation)->frameCount()));
     if (progress.isCancelled())
         return model::fail(model::ErrorCode::Cancelled);
-    const int width = int(Thumbnails::Width * ratio);
-    const int height = int(Thumbnails::Height * ratio);
-    model::OrbitCamera camera;
-    camera.fit(model::boundingBox(positions), float(width) / float(height));
-    const model::Picture picture =
-        model::drawMesh(positions, (*animation)->connectivity().triangles, camera, width, height);
-    QImage image =
-        QImage(picture.rgba.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBA8888)
-            .copy(); // the bytes belong to the picture
-    image.setDevicePixelRatio(ratio);
-    return image;
+    return drawn(positions, (*animation)->connectivity().triangles, ratio);
+}
+
+model::Result<QImage> meshThumbnail(const QString &path, double ratio, const model::Progress &progress)
+{
+    const auto mesh = model::io::readPolygonMesh(path, progress);
+    if (!mesh)
+        return model::fail(mesh.error());
+    if (progress.isCancelled())
+        return model::fail(model::ErrorCode::Cancelled);
+    return drawn(mesh->positions, model::fans(mesh->faces).triangles, ratio);
 }
 
 model::Result<QImage> drawThumbnail(const QString &path, double ratio, const model::Progress &progress)
 {
-    return kindOfFile(path) == DocumentKind::Terrain ? terrainThumbnail(path, ratio, progress)
-                                                     : animationThumbnail(path, ratio, progress);
+    switch (kindOfFile(path).value_or(DocumentKind::Animation)) {
+    case DocumentKind::Animation:
+        return animationThumbnail(path, ratio, progress);
+    case DocumentKind::Terrain:
+        return terrainThumbnail(path, ratio, progress);
+    case DocumentKind::Mesh:
+        return meshThumbnail(path, ratio, progress);
+    }
+    return model::fail(model::ErrorCode::UnknownFormat);
 }
 
 } // namespace

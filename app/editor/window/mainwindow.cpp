@@ -14,6 +14,7 @@
 #include "views/docks/terrain/toolsdock.h"
 #include "views/docks/timelinedock.h"
 #include "views/haptics/hapticsdock.h"
+#include "views/inspect/inspectordock.h"
 #include "views/widgets/icons.h"
 
 #include <QCloseEvent>
@@ -49,6 +50,8 @@ MainWindow::MainWindow(Language &language)
     , mGroundStyle(mActions, *mWorkspace, mMenus.groundMenu())
     , mSandbox(mActions, *mWorkspace, *this)
     , mTerrainMenu(mActions, mMenus, mSandbox)
+    , mInspector(mActions, mFiles, *mWorkspace, mSettings, *this)
+    , mMeshActions(mActions, mFiles, *mWorkspace, mMenus.meshMenu())
     , mStatus(*statusBar(), *mWorkspace)
     , mDrops(*this)
     , mLayouts(*this, mSettings)
@@ -74,7 +77,7 @@ MainWindow::MainWindow(Language &language)
     restoreWindow(*this, mSettings);
     mLayouts.restore(DocumentKind::Animation);
     mActions.showFor(DocumentKind::Animation);
-    for (QMenu *menu : {&mMenus.groundMenu(), &mMenus.terrainMenu()})
+    for (QMenu *menu : {&mMenus.groundMenu(), &mMenus.terrainMenu(), &mMenus.meshMenu()})
         menu->menuAction()->setVisible(false);
     followDocument();
 }
@@ -130,6 +133,10 @@ void MainWindow::makeDocks()
         addDockWidget(Qt::RightDockWidgetArea, dock);
         splitDockWidget(dock, mHistory, Qt::Vertical);
     }
+    addDockWidget(Qt::RightDockWidgetArea, &mInspector.dock());
+    splitDockWidget(&mInspector.dock(), mHistory, Qt::Vertical);
+    for (QDockWidget *view : mInspector.views())
+        addDockWidget(Qt::LeftDockWidgetArea, view);
     tabifyDockWidget(&mSandbox.materials(), &mSandbox.erosion());
     tabifyDockWidget(&mSandbox.erosion(), &mSandbox.feeling().dock());
     addDockWidget(Qt::BottomDockWidgetArea, &mSandbox.profile());
@@ -156,10 +163,15 @@ void MainWindow::makeDocks()
         mLayouts.add(*dock, DocumentKind::Terrain, true);
         sandbox << dock;
     }
+    mLayouts.add(mInspector.dock(), DocumentKind::Mesh);
+    for (QDockWidget *view : mInspector.views())
+        mLayouts.add(*view, DocumentKind::Mesh, true);
     mLayouts.add(*mHistory, {});
     mLayouts.add(*mLogDock, {}, true);
     QList<QAction *> docks;
-    for (QDockWidget *dock : sandbox + QList<QDockWidget *>{mTimeline, mCompression, mHistory, mLogDock}) {
+    for (QDockWidget *dock :
+         sandbox + mInspector.views() +
+             QList<QDockWidget *>{&mInspector.dock(), mTimeline, mCompression, mHistory, mLogDock}) {
         dock->toggleViewAction()->setObjectName(QStringLiteral("view.") + dock->objectName());
         mActions.adopt(*dock->toggleViewAction(), QT_TRANSLATE_NOOP("Actions", "&View"));
         docks << dock->toggleViewAction();
@@ -194,6 +206,7 @@ void MainWindow::showKind(DocumentKind kind)
         action->setVisible(kind == DocumentKind::Animation);
     for (QAction *action : {mMenus.groundMenu().menuAction(), mMenus.terrainMenu().menuAction()})
         action->setVisible(kind == DocumentKind::Terrain);
+    mMenus.meshMenu().menuAction()->setVisible(kind == DocumentKind::Mesh);
 }
 
 void MainWindow::letGo()
@@ -247,6 +260,8 @@ void MainWindow::retranslate()
     mViews.retranslate();
     mGroundStyle.retranslate();
     mTerrainMenu.retranslate();
+    mInspector.retranslate();
+    mMeshActions.retranslate();
     mStatus.retranslate();
     for (QToolBar *bar : mToolBars)
         for (const auto &[key, title] : ToolBarTitles)

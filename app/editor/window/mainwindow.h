@@ -10,6 +10,8 @@
 #include "app/editor/actions/menus.h"
 #include "app/editor/actions/recordactions.h"
 #include "app/editor/actions/viewactions.h"
+#include "app/editor/inspect/inspector.h"
+#include "app/editor/inspect/meshactions.h"
 #include "app/editor/sandbox/groundstyle.h"
 #include "app/editor/sandbox/sandbox.h"
 #include "app/editor/sandbox/terrainmenu.h"
@@ -86,6 +88,8 @@ private:
     GroundStyle mGroundStyle;
     Sandbox mSandbox;
     TerrainMenu mTerrainMenu;
+    Inspector mInspector;
+    MeshActions mMeshActions;
     StatusPanel mStatus;
     DropTarget mDrops;
     DockLayouts mLayouts;

@@ -2,6 +2,7 @@
 #include "app/editor/window/statuspanel.h"
 
 #include "app/editor/documents/animationtab.h"
+#include "app/editor/documents/meshtab.h"
 #include "app/editor/documents/terraintab.h"
 #include "app/editor/window/workspace.h"
 #include "views/dialogs/quantitytext.h"
@@ -43,13 +44,35 @@ void StatusPanel::follow()
                            &StatusPanel::update);
     if (const TerrainTab *tab = mWorkspace.currentTerrain(); tab && tab->document().isOpen())
         mChanges = connect(&tab->document().terrain(), &model::TerrainDocument::changed, this, &StatusPanel::update);
+    if (const MeshTab *tab = mWorkspace.currentMesh(); tab && tab->document().isOpen())
+        mChanges = connect(&tab->document().mesh(), &model::MeshDocument::changed, this, &StatusPanel::update);
     update();
+}
+
+void StatusPanel::showMesh(const MeshTab &tab)
+{
+    const QLocale locale;
+    const model::PolygonMesh &mesh = *tab.document().mesh().mesh();
+    QStringList parts{
+        tr("V %1", "number of vertices").arg(locale.toString(qulonglong(mesh.positions.size()))),
+        tr("F %1", "number of faces").arg(locale.toString(mesh.faces.faceCount())),
+    };
+    if (tab.document().fileBytes() > 0)
+        parts << views::bytesText(tab.document().fileBytes());
+    mNumbers->setVisible(true);
+    mNumbers->setText(parts.join(QStringLiteral("   ")));
+    mNumbers->setToolTip(tr("Vertices, faces, size of the file"));
+    mHint->setText(tab.view() ? tr("Click: pick   Drag: orbit   Shift+drag: pan   Wheel: zoom") : QString());
 }
 
 void StatusPanel::update()
 {
     if (const TerrainTab *tab = mWorkspace.currentTerrain(); tab && tab->document().isOpen()) {
         showTerrain(tab->document());
+        return;
+    }
+    if (const MeshTab *tab = mWorkspace.currentMesh(); tab && tab->document().isOpen()) {
+        showMesh(*tab);
         return;
     }
     const AnimationTab *tab = mWorkspace.currentAnimation();

@@ -10,6 +10,7 @@ class QStatusBar;
 
 namespace editor {
 
+class MeshTab;
 class OpenTerrain;
 class Workspace;
 
@@ -32,6 +33,7 @@ private:
     void follow();
     void update();
     void showTerrain(const OpenTerrain &document);
+    void showMesh(const MeshTab &tab);
 
     QStatusBar &mBar;
     Workspace &mWorkspace;

@@ -90,6 +90,11 @@ TerrainTab *Workspace::currentTerrain() const
     return asTerrain(current());
 }
 
+MeshTab *Workspace::currentMesh() const
+{
+    return asMesh(current());
+}
+
 std::vector<DocumentTab *> Workspace::tabs() const
 {
     std::vector<DocumentTab *> result;

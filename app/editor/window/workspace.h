@@ -14,6 +14,7 @@ namespace editor {
 
 class AnimationTab;
 class DocumentTab;
+class MeshTab;
 class TerrainTab;
 
 /// The middle of the window: open documents as tabs, or the welcome page while there is none, with messages above.
@@ -38,6 +39,7 @@ public:
     // The same if it is of this kind.
     AnimationTab *currentAnimation() const;
     TerrainTab *currentTerrain() const;
+    MeshTab *currentMesh() const;
     /// From left to right.
     std::vector<DocumentTab *> tabs() const;
 

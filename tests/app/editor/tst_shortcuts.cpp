@@ -48,7 +48,7 @@ private slots:
         // Actions for documents of different kinds are never there together.
         using editor::DocumentKind;
         QMap<QString, QString> owner;
-        for (const DocumentKind kind : {DocumentKind::Animation, DocumentKind::Terrain}) {
+        for (const DocumentKind kind : editor::EveryDocumentKind) {
             owner.clear();
             for (const auto &entry : const_cast<tests::WindowDriver &>(driver).window.actions().entries()) {
                 QVERIFY2(!entry.key().isEmpty(), qPrintable(entry.title()));
