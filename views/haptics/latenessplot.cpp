@@ -14,7 +14,7 @@ namespace {
 
 constexpr int BarsPerDecade = 10;
 constexpr int Gap = 4;
-constexpr const char *DecadeNames[] = {"1 µs", "10 µs", "100 µs", "1 ms", "10 ms", "100 ms"};
+constexpr const char *DecadeNames[] = {"1 µs", "10 µs", "100 µs", "1 ms", "10 ms"};
 
 double decadesOf(Time lateness)
 {

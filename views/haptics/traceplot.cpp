@@ -98,7 +98,7 @@ void TracePlot::paintEvent(QPaintEvent *)
     const QFontMetrics metrics = fontMetrics();
     const bool isDark = palette().color(QPalette::Base).lightness() < 128;
     const int left = metrics.horizontalAdvance(QStringLiteral("-00.0")) + Gap;
-    const QRectF area(left, metrics.height() + Gap, width() - left - 1, height() - 1.6 * metrics.height() - Gap);
+    const QRectF area(left, metrics.height() + Gap, width() - left - 1, height() - 2.1 * metrics.height() - Gap);
     painter.fillRect(area, palette().color(QPalette::Base));
 
     painter.setPen(palette().color(QPalette::WindowText));
