@@ -27,6 +27,9 @@ InspectorDock::InspectorDock(QWidget *parent)
     setObjectName(QStringLiteral("inspectorDock"));
     mTabs->setObjectName(QStringLiteral("inspectorLists"));
     mTabs->setDocumentMode(true);
+    // Four short titles: the dock is as wide as they are.
+    mTabs->setUsesScrollButtons(false);
+    mTabs->setElideMode(Qt::ElideNone);
     for (const PartKind kind : EveryPartKind)
         mLists[std::size_t(kind)] = makeList(kind);
     mCopy->setObjectName(QStringLiteral("inspector.copy"));
