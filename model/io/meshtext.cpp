@@ -136,9 +136,8 @@ void formatPly(std::span<const Vec3f> positions, const FaceList &faces, std::str
     }
     const bool isByte = longest <= MostOfByte;
     out = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(positions.size()) +
-          "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-          std::to_string(faceCountOf(faces)) + "\nproperty list " + (isByte ? "uchar" : "uint") +
-          " uint vertex_indices\nend_header\n";
+          "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(faceCountOf(faces)) +
+          "\nproperty list " + (isByte ? "uchar" : "uint") + " uint vertex_indices\nend_header\n";
     const std::size_t header = out.size();
     out.resize(header + positions.size() * VertexBytes + faceCountOf(faces) * (isByte ? 1 : 4) + corners * 4);
     char *p = out.data() + header;

@@ -66,7 +66,7 @@ private:
 
     FileActions &mFiles;
     Workspace &mWorkspace;
-    std::vector<QAction *> mActions; ///< of the operations
+    std::vector<QAction *> mActions;       ///< of the operations
     QPointer<views::Inspection> mFollowed; ///< a new one may come to be where a closed one was
     QMetaObject::Connection mSelection, mFound;
     views::Job mWork;
